@@ -1,0 +1,65 @@
+/* chasles/tilt.h - the tilt-and-torsion angles, and the rotational error of axisymmetric tools (Briot & Bonev 2008).
+ *
+ * The tool's axis of symmetry is the third column of an orientation, its z axis. The angle that disregards the tool's
+ * shape, that of nominal^T actual, is chs_so3_angle. chasles.h has the conventions that all headers share.
+ */
+#ifndef CHASLES_TILT_H
+#define CHASLES_TILT_H
+
+#include <chasles/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How far an orientation is from the one wanted, as an axisymmetric tool sees it: by which angle alpha its axis is off,
+ * and by which angle beta it is turned about that axis once the axes are brought together. With columns x, y, d of the
+ * nominal (0) and the actual (1) orientation
+ *
+ *   alpha = atan2(|d0 x d1|, d0 . d1),  beta = | atan2(y0 . x1 - x0 . y1, x0 . x1 + y0 . y1) |
+ *
+ * in place of the paper's arccos (eq. 1), which has no digit left below 1e-8 rad, and two-case sum (eq. 2).
+ *
+ *   nominal, actual  rotations to within CHS_SO3_FAR, in the same base frame.
+ *   alpha, beta      in [0, pi]. At alpha = pi beta has no meaning and is 0.
+ *
+ * The errors: alpha relative to itself; beta relative to sqrt(alpha^2 + beta^2), and to 1/(1 + cos(alpha)) above pi/2,
+ * where it is ever worse defined. Both at 1e-12 rad are as exact as any.
+ * Returns CHS_OK; CHS_TORSION_UNDEFINED where 1 + cos(alpha) is no more than rounding, so that beta is set to 0; and
+ * what CHS_SO3_FAR says, of either matrix. */
+#define CHS_EPS_TILT_ERROR_ALPHA 4.0
+#define CHS_EPS_TILT_ERROR_BETA 4.0
+int chs_tilt_error(const double nominal[9], const double actual[9], double *alpha, double *beta);
+int chs_tilt_errorf(const float nominal[9], const float actual[9], float *alpha, float *beta);
+
+/* R = Rz(azimuth) Ry(tilt) Rz(torsion - azimuth): the axis tilts towards the azimuth, then the torsion about it.
+ *
+ *   azimuth, tilt, torsion  any angles up to CHS_ANGLE_MAX(F) in size.
+ *
+ * The error is absolute, at any angles.
+ * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE. */
+#define CHS_EPS_TILT_TO_ROTATION 4.0
+int chs_tilt_to_rotation(double azimuth, double tilt, double torsion, double R[9]);
+int chs_tilt_to_rotationf(float azimuth, float tilt, float torsion, float R[9]);
+
+/* The tilt-and-torsion angles of an orientation:
+ *
+ *   azimuth = atan2(r23, r13),  tilt = atan2(sqrt(r13^2 + r23^2), r33),  torsion = atan2(r21 - r12, r11 + r22)
+ *
+ *   R                 a rotation to within CHS_SO3_FAR.
+ *   azimuth, torsion  in [-pi, pi], with atan2's signs of zeros; tilt in [0, pi].
+ *
+ * The errors are relative to each angle. At tilt 0 the azimuth is undefined and is 0 (CHS_AZIMUTH_UNDEFINED). At tilt
+ * pi only 2 azimuth - torsion is defined; the torsion is 0 (CHS_TORSION_UNDEFINED).
+ * Returns CHS_OK, these two, and what CHS_SO3_FAR says. */
+#define CHS_EPS_TILT_FROM_ROTATION_AZIMUTH 2.0
+#define CHS_EPS_TILT_FROM_ROTATION_TILT 2.0
+#define CHS_EPS_TILT_FROM_ROTATION_TORSION 2.0
+int chs_tilt_from_rotation(const double R[9], double *azimuth, double *tilt, double *torsion);
+int chs_tilt_from_rotationf(const float R[9], float *azimuth, float *tilt, float *torsion);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,112 @@
+/* Written by tools/coefficients/generate.py; do not edit.
+ * Polynomials by Horner's rule; constants as unevaluated sums A + B + C. */
+#ifndef CHASLES_COEFFICIENTS_H
+#define CHASLES_COEFFICIENTS_H
+
+/* clang-format off */
+#ifndef CHS_SINGLE
+/* sin(sqrt h) / sqrt h = CHS_SINC(h)
+   on [0, 2.4699], relative error 0.0013 eps */
+#define CHS_SINC(h) \
+  (0x1p+0 + (h) * \
+  (-0x1.5555555555555p-3 + (h) * \
+  (0x1.11111111110c8p-7 + (h) * \
+  (-0x1.a01a01a014d6fp-13 + (h) * \
+  (0x1.71de3a52a0b13p-19 + (h) * \
+  (-0x1.ae6454d47422bp-26 + (h) * \
+  (0x1.6123cd0727932p-33 + (h) * \
+  (-0x1.ae438468a36c3p-41 + (h) * \
+  0x1.8832a74d6861bp-49))))))))
+/* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
+   on [0, 2.4699], absolute error 0.026 eps */
+#define CHS_COS_REST(h) \
+  (0x1.55555555554dcp-5 + (h) * \
+  (-0x1.6c16c16c10134p-10 + (h) * \
+  (0x1.a01a019b9f4dp-16 + (h) * \
+  (-0x1.27e4f9f11414ap-22 + (h) * \
+  (0x1.1eecfa4e75998p-29 + (h) * \
+  (-0x1.9357123473809p-37 + (h) * \
+  0x1.9fc3a43747942p-45))))))
+/* (x - sin x) / x^3 at x = sqrt t = CHS_CUBIC(t)
+   on [0, 9.8795], relative error 0.25 eps */
+#define CHS_CUBIC(t) \
+  (0x1.5555555555555p-3 + (t) * \
+  (-0x1.11111111110bbp-7 + (t) * \
+  (0x1.a01a01a01665fp-13 + (t) * \
+  (-0x1.71de3a547b539p-19 + (t) * \
+  (0x1.ae64563f80bf7p-26 + (t) * \
+  (-0x1.61245797243b3p-33 + (t) * \
+  (0x1.ae7d7ea7f38e9p-41 + (t) * \
+  (-0x1.94fb39c38b775p-49 + (t) * \
+  (0x1.2c1fb0f4dc04p-57 + (t) * \
+  -0x1.3b0a53b907f9dp-66)))))))))
+/* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
+   on [0, 0.25025], relative error 0.0011 eps */
+#define CHS_ATAN_REST(u) \
+  (-0x1.5555555555551p-2 + (u) * \
+  (0x1.9999999998ee6p-3 + (u) * \
+  (-0x1.2492492448454p-3 + (u) * \
+  (0x1.c71c71a6d1b2dp-4 + (u) * \
+  (-0x1.745d131b55e9ep-4 + (u) * \
+  (0x1.3b13588090fb8p-4 + (u) * \
+  (-0x1.110c0e0c4c13dp-4 + (u) * \
+  (0x1.e17c6f88ba72p-5 + (u) * \
+  (-0x1.ac4e55cf29514p-5 + (u) * \
+  (0x1.77710d4423171p-5 + (u) * \
+  (-0x1.2ec642fb960d2p-5 + (u) * \
+  (0x1.7fd13f4190e4p-6 + (u) * \
+  -0x1.0d5e2cf1020bdp-7))))))))))))
+#define CHS_PI_A 0x1.921fb54442d18p+1
+#define CHS_PI_B 0x1.1a62633145c07p-53
+#define CHS_PI_C -0x1.f1976b7ed8fbcp-109
+#define CHS_HALF_PI_A 0x1.921fb54442d18p+0
+#define CHS_HALF_PI_B 0x1.1a62633145c07p-54
+#define CHS_QUARTER_PI_A 0x1.921fb54442d18p-1
+#define CHS_QUARTER_PI_B 0x1.1a62633145c07p-55
+#else
+/* sin(sqrt h) / sqrt h = CHS_SINC(h)
+   on [0, 2.4699], relative error 0.0038 eps */
+#define CHS_SINC(h) \
+  (0x1p+0F + (h) * \
+  (-0x1.555556p-3F + (h) * \
+  (0x1.111136p-7F + (h) * \
+  (-0x1.a023ccp-13F + (h) * \
+  (0x1.72cddcp-19F + (h) * \
+  -0x1.b624aap-26F)))))
+/* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
+   on [0, 2.4699], absolute error 0.0036 eps */
+#define CHS_COS_REST(h) \
+  (0x1.55555p-5F + (h) * \
+  (-0x1.6c14b8p-10F + (h) * \
+  (0x1.9f931cp-16F + (h) * \
+  -0x1.196acep-22F)))
+/* (x - sin x) / x^3 at x = sqrt t = CHS_CUBIC(t)
+   on [0, 9.8795], relative error 0.25 eps */
+#define CHS_CUBIC(t) \
+  (0x1.555556p-3F + (t) * \
+  (-0x1.111158p-7F + (t) * \
+  (0x1.a02d92p-13F + (t) * \
+  (-0x1.73de74p-19F + (t) * \
+  (0x1.de2b1p-26F + (t) * \
+  (-0x1.b8dcecp-32F + (t) * \
+  0x1.2d1342p-37F))))))
+/* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
+   on [0, 0.25025], relative error 0.0024 eps */
+#define CHS_ATAN_REST(u) \
+  (-0x1.555552p-2F + (u) * \
+  (0x1.999742p-3F + (u) * \
+  (-0x1.244ff6p-3F + (u) * \
+  (0x1.c06dccp-4F + (u) * \
+  (-0x1.47f982p-4F + (u) * \
+  0x1.3f98aap-5F)))))
+#define CHS_PI_A 0x1.921fb6p+1F
+#define CHS_PI_B -0x1.777a5cp-24F
+#define CHS_PI_C -0x1.ee59dap-49F
+#define CHS_HALF_PI_A 0x1.921fb6p+0F
+#define CHS_HALF_PI_B -0x1.777a5cp-25F
+#define CHS_QUARTER_PI_A 0x1.921fb6p-1F
+#define CHS_QUARTER_PI_B -0x1.777a5cp-26F
+#endif
+/* clang-format on */
+
+#endif

@@ -1,0 +1,39 @@
+/* Sums and products with their rounding errors (Dekker, Veltkamp, Knuth), without a fused multiply-add. */
+#ifndef CHASLES_EXACT_H
+#define CHASLES_EXACT_H
+
+#include "real.h"
+
+/* An unevaluated sum hi + lo, lo much the smaller. */
+typedef struct exact_sum {
+  real hi, lo;
+} exact_sum;
+
+static inline exact_sum two_sum(real a, real b) {
+  real s = a + b, v = s - a;
+  exact_sum x = {s, (a - (s - v)) + (b - v)};
+  return x;
+}
+
+static inline void split(real a, real *high, real *low) {
+  real c = SPLITTER * a;
+  *high = c - (c - a);
+  *low = a - *high;
+}
+
+static inline exact_sum product(real a, real b) {
+  real a1, a0, b1, b0, p = a * b;
+  split(a, &a1, &a0);
+  split(b, &b1, &b0);
+  exact_sum x = {p, ((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0};
+  return x;
+}
+
+/* x += y, the errors gathered in x.lo. */
+static inline void add(exact_sum *x, exact_sum y) {
+  exact_sum s = two_sum(x->hi, y.hi);
+  x->hi = s.hi;
+  x->lo += s.lo + y.lo;
+}
+
+#endif

@@ -1,0 +1,189 @@
+#include <chasles/motion.h>
+
+#include "pose.h"
+#include "screw_private.h"
+
+/* The two triangles, their sides divided by a power of two near the longest side so that products of any degree fit. */
+typedef struct triangles {
+  real center[3];  /* centroid of the initial points */
+  real travel[3];  /* displacement of the centroid */
+  real from[3][3]; /* from[k] and to[k]: the side opposite point k, in cyclic order, scaled */
+  real to[3][3];
+  real longest;   /* length of the longest initial side, scaled */
+  int longest_at; /* and the point opposite to it */
+  real doubled;   /* twice the initial triangle's area, scaled */
+  real turned;    /* the largest change of a side's component, scaled */
+  real noise;     /* the rounding of the coordinates, scaled: how far a side is uncertain */
+} triangles;
+
+/* The largest power of two not above x, for x in the format's normal range short of its ends (Rump's ufp). */
+static real power_of_two_below(real x) {
+  real q = x * (K(1.0) / EPS + K(1.0));
+  return ABS(q - (K(1.0) - K(0.5) * EPS) * q);
+}
+
+static void sides_of(const real points[9], real side[3][3]) {
+  for (int k = 0; k < 3; k++) subtract(points + 3 * ((k + 2) % 3), points + 3 * ((k + 1) % 3), side[k]);
+}
+
+static real third_of(real a, real b, real c) { return (a + b + c) / K(3.0); }
+
+/* Points too near to each other or to a line for their rounding errors to be told from their positions. */
+static int shape_status(const real squared[3], real doubled, real noise) {
+  real longest_squared = largest(squared, 3);
+  for (int k = 0; k < 3; k++)
+    if (squared[k] <= noise * noise) return CHS_ERR_COINCIDENT;
+  real height_noise = K(2.0) * noise;
+  return doubled * doubled <= longest_squared * (height_noise * height_noise) ? CHS_ERR_COLLINEAR : CHS_OK;
+}
+
+static real doubled_area(real side[3][3]) {
+  real normal[3];
+  cross(side[0], side[1], normal);
+  return norm(normal, 3);
+}
+
+static int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t) {
+  int status = first_error(finiteness(initial, 9), finiteness(final, 9));
+  if (status != CHS_OK) return status;
+  real sides[18], from_squared[3], to_squared[3];
+  sides_of(initial, t->from);
+  sides_of(final, t->to);
+  for (int k = 0; k < 3; k++) {
+    copy(t->from[k], 3, sides + 3 * k);
+    copy(t->to[k], 3, sides + 9 + 3 * k);
+  }
+  real reach = largest(initial, 9) > largest(final, 9) ? largest(initial, 9) : largest(final, 9);
+  real most = largest(sides, 18);
+  if (!is_finite(most)) return CHS_ERR_OVERFLOW;
+  if (most == 0) return CHS_ERR_COINCIDENT;
+  real enlarge = safe_to_square(most), scale = enlarge / power_of_two_below(enlarge * most);
+  t->noise = K(4.0) * EPS * (scale * reach);
+  t->turned = 0;
+  t->longest_at = 0;
+  for (int k = 0; k < 3; k++) {
+    for (int i = 0; i < 3; i++) {
+      t->from[k][i] *= scale;
+      t->to[k][i] *= scale;
+      real change = ABS(t->to[k][i] - t->from[k][i]);
+      t->turned = change > t->turned ? change : t->turned;
+    }
+    from_squared[k] = dot(t->from[k], t->from[k]);
+    to_squared[k] = dot(t->to[k], t->to[k]);
+    if (from_squared[k] > from_squared[t->longest_at]) t->longest_at = k;
+  }
+  real longest_squared = from_squared[t->longest_at];
+  t->doubled = doubled_area(t->from);
+  status = shape_status(from_squared, t->doubled, t->noise);
+  if (status == CHS_OK) status = shape_status(to_squared, doubled_area(t->to), t->noise);
+  if (status != CHS_OK) return status;
+  for (int k = 0; k < 3; k++)
+    if (!(ABS(to_squared[k] - from_squared[k]) <= K(2.0) * tolerance * longest_squared)) return CHS_ERR_NOT_RIGID;
+  t->longest = SQRT(longest_squared);
+  for (int i = 0; i < 3; i++) {
+    t->center[i] = third_of(initial[i], initial[3 + i], initial[6 + i]);
+    t->travel[i] = third_of(final[i] - initial[i], final[3 + i] - initial[3 + i], final[6 + i] - initial[6 + i]);
+  }
+  return CHS_OK;
+}
+
+static int finish_translation(const triangles *t, screw *out, real T[16]) {
+  static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  screw s;
+  int status = screw_of_translation(t->travel, &s);
+  if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) join(identity, t->travel, T);
+  return status;
+}
+
+/* What both methods do once the rotation is known: the screw, the pose, and what is special about them. */
+static int finish(const triangles *t, quaternion *q, screw *out, real T[16]) {
+  real R[9], p[3], turned[3], vv = dot(q->v, q->v), n = SQRT(vv);
+  if (n == 0) return finish_translation(t, out, T);
+  real condition = t->longest * t->longest / t->doubled, zone = K(8.0) * EPS * condition;
+  int half_turn = q->w <= zone * n;
+  screw s;
+  settle_half_turn(q, zone, n);
+  rotation_from_quaternion(q, vv + q->w * q->w, R);
+  if (!screw_of_rotation(q, n, t->center, t->travel, &s)) return CHS_ERR_OVERFLOW;
+  rotate(R, t->center, turned);
+  for (int i = 0; i < 3; i++) p[i] = (t->center[i] - turned[i]) + t->travel[i];
+  if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) join(R, p, T);
+  if (condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
+  return half_turn ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* Eq. 23 for the vectors x and y of the body, which became xf and yf: q = (v; w) proportional to (sin(theta/2) e;
+ * cos(theta/2)). Returns how much it tells: its squared length over the squares of what the rounding errors of x and y
+ * are multiplied by, those of y counted double because y may be a product itself. */
+static real half_angle_vector(const real x[3], const real xf[3], const real y[3], const real yf[3], quaternion *q) {
+  real dx[3], dy[3], sum[3];
+  for (int i = 0; i < 3; i++) {
+    dx[i] = xf[i] - x[i];
+    dy[i] = yf[i] - y[i];
+    sum[i] = yf[i] + y[i];
+  }
+  cross(dx, dy, q->v);
+  q->w = dot(dx, sum);
+  q->short_of_4 = 0;
+  return (dot(q->v, q->v) + q->w * q->w) / (K(4.0) * dot(dx, dx) + dot(dy, dy) + dot(sum, sum));
+}
+
+int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
+  triangles t;
+  int status = read_triangles(initial, final, tolerance, &t);
+  if (status != CHS_OK) return status;
+  if (t.turned <= t.noise) return finish_translation(&t, out, T);
+
+  /* The order of the points makes no difference to (v; w), but an axis parallel to their plane makes it 0/0 in any
+   * order, and one along a thin triangle nearly so. Two sides and the normal of the plane are never all of one kind:
+   * the pair that tells most is taken, the normal as the second vector, whose sum is then the shorter. */
+  const real *a = t.from[(t.longest_at + 2) % 3], *af = t.to[(t.longest_at + 2) % 3];
+  const real *c = t.from[(t.longest_at + 1) % 3], *cf = t.to[(t.longest_at + 1) % 3];
+  real normal[3], normal_f[3];
+  cross(a, c, normal);
+  cross(af, cf, normal_f);
+  quaternion q, other;
+  real most = half_angle_vector(a, af, c, cf, &q);
+  real tells = half_angle_vector(a, af, normal, normal_f, &other);
+  if (tells > most) {
+    q = other;
+    most = tells;
+  }
+  if (half_angle_vector(c, cf, normal, normal_f, &other) > most) q = other;
+  if (q.w < 0) negate(&q);
+  /* A turn by more than pi/2 moves some side by more than the smallest height. Where none has moved by half of it, a
+   * large angle comes from sides that changed their length but did not turn. */
+  if (q.w * q.w <= dot(q.v, q.v) && t.turned * t.longest < K(0.5) * t.doubled) return finish_translation(&t, out, T);
+  return finish(&t, &q, out, T);
+}
+
+int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
+  triangles t;
+  int status = read_triangles(initial, final, tolerance, &t);
+  if (status != CHS_OK) return status;
+  if (t.turned <= t.noise) return finish_translation(&t, out, T);
+
+  /* Eq. 12 and 13 with both origins moved into the plane's own frame (f1, f2, f3), f1 along the longest side and f3
+   * normal to the plane: Q maps f1 and f2 to g1 and g2, and cof(Q) maps f3 to g1 x g2. */
+  const real *a = t.from[t.longest_at], *af = t.to[t.longest_at];
+  const real *c = t.from[(t.longest_at + 1) % 3], *cf = t.to[(t.longest_at + 1) % 3];
+  real f1[3], f2[3], f3[3], g1[3], g2[3], g3[3], R[9];
+  for (int i = 0; i < 3; i++) {
+    f1[i] = a[i] / t.longest;
+    g1[i] = af[i] / t.longest;
+  }
+  cross(a, c, f3);
+  unit(f3, f3);
+  cross(f3, f1, f2);
+  real along = dot(c, f1), height = t.doubled / t.longest;
+  for (int i = 0; i < 3; i++) g2[i] = (cf[i] - along * g1[i]) / height;
+  cross(g1, g2, g3);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) R[3 * i + j] = g1[i] * f1[j] + g2[i] * f2[j] + g3[i] * f3[j];
+  quaternion q = quaternion_of(R);
+  return finish(&t, &q, out, T);
+}

@@ -1,0 +1,64 @@
+/* The two precisions from one source: X.c compiles for double, Xf.c is `#define CHS_SINGLE` and #include "X.c".
+ *
+ * Included first by every source file, because it also nails down the arithmetic. The same input must give the same
+ * bits with every compiler, also in a build that knows nothing of this library's flags.
+ */
+#ifndef CHASLES_REAL_H
+#define CHASLES_REAL_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#if defined(__FAST_MATH__)
+#error "chasles needs IEEE arithmetic: compile it without -ffast-math"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "chasles needs operations rounded to their own type: on 32-bit x86 use -msse2 -mfpmath=sse"
+#endif
+
+/* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here. The
+ * second option spares a call into libm, and with it errno, for the square root of a negative number. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off", "no-math-errno")
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+#ifdef CHS_SINGLE
+typedef float real;
+#define FN(name) name##f
+#define K(literal) literal##F
+#define EPS FLT_EPSILON
+#define REAL_MAX FLT_MAX
+#define SQRT sqrtf
+#define ABS fabsf
+/* Numbers below UNDERFLOWS or above OVERFLOWS may not be squared; times ENLARGE or REDUCE they may. All powers of 2. */
+#define UNDERFLOWS 0x1p-50F
+#define OVERFLOWS 0x1p+50F
+#define ENLARGE 0x1p+90F
+#define REDUCE 0x1p-80F
+/* Adding and subtracting it rounds a number of at most 4 to a multiple of 2^-10, whose squares are exact. */
+#define GRID 0x1.8p+13F
+/* Adding and subtracting it rounds a number to an integer. */
+#define TO_INTEGER 0x1.8p+23F
+/* Times it, a number splits into two halves whose products are exact (Veltkamp). */
+#define SPLITTER 0x1.002p+12F
+#else
+typedef double real;
+#define FN(name) name
+#define K(literal) literal
+#define EPS DBL_EPSILON
+#define REAL_MAX DBL_MAX
+#define SQRT sqrt
+#define ABS fabs
+#define UNDERFLOWS 0x1p-500
+#define OVERFLOWS 0x1p+500
+#define ENLARGE 0x1p+600
+#define REDUCE 0x1p-600
+#define GRID 0x1.8p+28 /* multiples of 2^-24 */
+#define TO_INTEGER 0x1.8p+52
+#define SPLITTER 0x1.0000002p+27
+#endif
+
+#endif

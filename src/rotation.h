@@ -1,0 +1,150 @@
+/* Rotations between their forms: matrix, rotation vector, and the quaternion as four homogeneous numbers. */
+#ifndef CHASLES_ROTATION_H
+#define CHASLES_ROTATION_H
+
+#include "angle.h"
+#include "real.h"
+#include "vec3.h"
+#include <chasles/so3.h>
+
+/* (v; w) proportional to (sin(theta/2) e; cos(theta/2)), of any length, w >= 0: theta in [0, pi] needs no division. */
+typedef struct quaternion {
+  real v[3], w;
+  real short_of_4; /* 4 - w before rounding, where w came from the trace; used only while w is the larger part */
+} quaternion;
+
+/* What is 0 in a rotation: r1.r1 - 1, r2.r2 - 1, r1.r2 and r3 - r1 x r2, r the rows. */
+static inline void offsets(const real R[9], real off[6]) {
+  off[0] = dot(R, R) - K(1.0);
+  off[1] = dot(R + 3, R + 3) - K(1.0);
+  off[2] = dot(R, R + 3);
+  off[3] = R[6] - (R[1] * R[5] - R[2] * R[4]);
+  off[4] = R[7] - (R[2] * R[3] - R[0] * R[5]);
+  off[5] = R[8] - (R[0] * R[4] - R[1] * R[3]);
+}
+
+/* The largest of them in size; NaN where the matrix holds one. */
+real FN(chs_p_deviation)(const real R[9]);
+
+/* Why R is no rotation to within the tolerance: CHS_ERR_NAN, _INFINITE, _REFLECTION or _NOT_ROTATION; or CHS_OK. */
+int FN(chs_p_rotation_status)(const real R[9], real tolerance);
+
+/* R is near enough to a rotation to be read as one; otherwise the status says why not. */
+static inline int check_rotation(const real R[9]) {
+  const real far = (real)CHS_SO3_FAR;
+  real off[6];
+  offsets(R, off);
+  int near = (ABS(off[0]) <= far) & (ABS(off[1]) <= far) & (ABS(off[2]) <= far) & (ABS(off[3]) <= far) &
+             (ABS(off[4]) <= far) & (ABS(off[5]) <= far);
+  return near ? CHS_OK : FN(chs_p_rotation_status)(R, far);
+}
+
+/* Of two statuses, the one that counts: NaN before infinity before anything else that is wrong. */
+static inline int first_error(int a, int b) {
+  if (a == CHS_OK || b == CHS_OK) return a == CHS_OK ? b : a;
+  return a > b ? a : b;
+}
+
+/* The other quaternion of the same rotation. */
+static inline void negate(quaternion *q) {
+  for (int i = 0; i < 3; i++) q->v[i] = -q->v[i];
+  q->w = -q->w;
+}
+
+/* At a half-turn the axis has no sign of its own: its first non-zero component is made positive. An angle counts as a
+ * half-turn when pi - theta <= 2 zone; components count as zero up to zone times the length. */
+static inline void settle_half_turn(quaternion *q, real zone, real length) {
+  if (q->w > zone * length) return;
+  for (int i = 0; i < 3; i++) {
+    if (ABS(q->v[i]) <= zone * length) continue;
+    if (q->v[i] < 0) negate(q);
+    return;
+  }
+}
+
+/* The quaternion of a matrix near a rotation: the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
+ * 1978). It agrees with that of the nearest rotation to a fraction of the matrix's own rounding errors. */
+static inline quaternion quaternion_of(const real R[9]) {
+  real dx = K(1.0) - R[0], dy = K(1.0) - R[4], dz = K(1.0) - R[8], d = dx + dy + dz;
+  real ww = K(4.0) - d, xx = (dy + dz) - dx, yy = (dx + dz) - dy, zz = (dx + dy) - dz;
+  real wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
+  real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+  quaternion q = {{wx, wy, wz}, ww, d};
+  real most = ww;
+  if (xx > most) {
+    quaternion x = {{xx, xy, xz}, wx, 0};
+    q = x;
+    most = xx;
+  }
+  if (yy > most) {
+    quaternion y = {{xy, yy, yz}, wy, 0};
+    q = y;
+    most = yy;
+  }
+  if (zz > most) {
+    quaternion z = {{xz, yz, zz}, wz, 0};
+    q = z;
+  }
+  if (q.w < 0) negate(&q);
+  return q;
+}
+
+/* R = cos(theta) I + a [w] + b w w^T with a = sin(theta)/|w|, b = (1 - cos(theta))/|w|^2. A diagonal entry is 1 less
+ * what the other two axes take away; where the cosine is below the limit given, it is cos(theta) plus its own axis'
+ * share if that is the smaller. */
+static inline void rotation_from(const real w[3], real a, real b, real cosine, real below, real R[9]) {
+  real bx = b * w[0], by = b * w[1], bz = b * w[2];
+  real xx = bx * w[0], yy = by * w[1], zz = bz * w[2];
+  real xy = bx * w[1], xz = bx * w[2], yz = by * w[2];
+  real ax = a * w[0], ay = a * w[1], az = a * w[2];
+  real middle = cosine < below ? K(0.5) * (K(1.0) - cosine) : K(0.0);
+  R[0] = xx < middle ? cosine + xx : K(1.0) - (yy + zz);
+  R[4] = yy < middle ? cosine + yy : K(1.0) - (xx + zz);
+  R[8] = zz < middle ? cosine + zz : K(1.0) - (xx + yy);
+  R[1] = xy - az;
+  R[3] = xy + az;
+  R[2] = xz + ay;
+  R[6] = xz - ay;
+  R[5] = yz - ax;
+  R[7] = yz + ax;
+}
+
+/* sin(theta)/theta and (1 - cos(theta))/theta^2; the second from the cosine where that is the smaller half. */
+static inline real sine_ratio(half_angle h) { return h.s * h.c; }
+
+static inline real cosine_ratio(half_angle h) {
+  real cc = h.c * h.c;
+  return cc < K(0.5) ? K(2.0) * (K(1.0) - cc) / h.tt : K(0.5) * (h.s * h.s);
+}
+
+/* (theta - sin(theta))/theta^3 */
+static inline real cubic_ratio(half_angle h) {
+  return h.tt <= CHS_PI_A * CHS_PI_A ? cubic_kernel(h.tt) : (K(1.0) - sine_ratio(h)) / h.tt;
+}
+
+/* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */
+static inline real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
+
+/* A reduced angle gives a less exact b, which the cosine spares the sooner. */
+static inline void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
+  real below = h.tt <= CHS_PI_A * CHS_PI_A ? K(0.0) : K(0.25);
+  rotation_from(w, sine_ratio(h), cosine_ratio(h), K(2.0) * (h.c * h.c) - K(1.0), below, R);
+}
+
+/* The rotation of a quaternion of squared length nn. */
+static inline void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
+  real vv = dot(q->v, q->v);
+  rotation_from(q->v, K(2.0) * q->w / nn, K(2.0) / nn, (q->w * q->w - vv) / nn, 0, R);
+}
+
+/* w = v theta / n, n = |v|, as a power of two times v plus a small multiple of v: what remains to be rounded is small.
+ * Also k = (theta/2) cot(theta/2). */
+static inline void rotation_vector_of(const quaternion *q, real n, real w[3], real *k) {
+  arc a = arc_of(n, q->w);
+  real whole = n < q->w ? K(0.25) : K(0.5);
+  real rest = a.low ? (K(0.25) * q->short_of_4 + a.p) / q->w : ((a.base - whole * n) + a.rest) / n;
+  for (int i = 0; i < 3; i++) w[i] = K(2.0) * (whole * q->v[i] + rest * q->v[i]);
+  *k = (whole + rest) * q->w;
+}
+
+#endif

@@ -1,0 +1,201 @@
+#include <chasles/so3.h>
+
+#include "exact.h"
+#include "rotation.h"
+
+void FN(chs_so3_hat)(const real w[3], real W[9]) {
+  real x = w[0], y = w[1], z = w[2];
+  W[0] = W[4] = W[8] = 0;
+  W[1] = -z;
+  W[2] = y;
+  W[3] = z;
+  W[5] = -x;
+  W[6] = -y;
+  W[7] = x;
+}
+
+/* (a - b) / 2, exactly a where b = -a, without overflow there. */
+static real half_difference(real a, real b) { return a + K(0.5) * (-b - a); }
+
+void FN(chs_so3_vee)(const real W[9], real w[3]) {
+  real x = half_difference(W[7], W[5]), y = half_difference(W[2], W[6]), z = half_difference(W[3], W[1]);
+  w[0] = x;
+  w[1] = y;
+  w[2] = z;
+}
+
+int FN(chs_so3_exp)(const real w[3], real R[9]) {
+  half_angle half;
+  int status = half_angle_of(w, &half);
+  if (status != CHS_OK) return status;
+  real v[3] = {w[0], w[1], w[2]};
+  rotation_from_half_angle(v, half, R);
+  return CHS_OK;
+}
+
+int FN(chs_so3_log)(const real R[9], real w[3]) {
+  int status = check_rotation(R);
+  if (status != CHS_OK) return status;
+  quaternion q = quaternion_of(R);
+  real n = SQRT(dot(q.v, q.v)), k;
+  settle_half_turn(&q, 0, n);
+  rotation_vector_of(&q, n, w, &k);
+  return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. On the diagonal the smaller
+ * share of c |w|^2 is added to a or taken from 1. */
+static void jacobian_from(const real w[3], real a, real b, real c, real J[9]) {
+  real cx = c * w[0], cy = c * w[1], cz = c * w[2];
+  real xx = cx * w[0], yy = cy * w[1], zz = cz * w[2];
+  real xy = cx * w[1], xz = cx * w[2], yz = cy * w[2];
+  real bx = b * w[0], by = b * w[1], bz = b * w[2];
+  J[0] = xx < yy + zz ? a + xx : K(1.0) - (yy + zz);
+  J[4] = yy < xx + zz ? a + yy : K(1.0) - (xx + zz);
+  J[8] = zz < xx + yy ? a + zz : K(1.0) - (xx + yy);
+  J[1] = xy - bz;
+  J[3] = xy + bz;
+  J[2] = xz + by;
+  J[6] = xz - by;
+  J[5] = yz - bx;
+  J[7] = yz + bx;
+}
+
+static int jacobian(const real w[3], real side, real J[9]) {
+  half_angle half;
+  int status = half_angle_of(w, &half);
+  if (status != CHS_OK) return status;
+  real v[3] = {w[0], w[1], w[2]};
+  jacobian_from(v, sine_ratio(half), side * cosine_ratio(half), cubic_ratio(half), J);
+  return CHS_OK;
+}
+
+static int jacobian_inverse(const real w[3], real side, real J[9]) {
+  half_angle half;
+  int status = half_angle_of(w, &half);
+  if (status != CHS_OK) return status;
+  /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
+  if (ABS(half.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
+  real k = half.c / half.s;
+  real v[3] = {w[0], w[1], w[2]};
+  /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - 4 (theta - sin(theta))/theta^3) / (4 s c). */
+  real d = half.tt < 1 ? (half.s * half.s - K(4.0) * cubic_ratio(half)) / (K(4.0) * sine_ratio(half))
+                       : (K(1.0) - k) / half.tt;
+  jacobian_from(v, k, side * K(-0.5), d, J);
+  return CHS_OK;
+}
+
+int FN(chs_so3_left_jacobian)(const real w[3], real J[9]) { return jacobian(w, K(1.0), J); }
+
+int FN(chs_so3_right_jacobian)(const real w[3], real J[9]) { return jacobian(w, K(-1.0), J); }
+
+int FN(chs_so3_left_jacobian_inverse)(const real w[3], real J[9]) { return jacobian_inverse(w, K(1.0), J); }
+
+int FN(chs_so3_right_jacobian_inverse)(const real w[3], real J[9]) { return jacobian_inverse(w, K(-1.0), J); }
+
+void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) {
+  real product[9];
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      product[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+  copy(product, 9, C);
+}
+
+void FN(chs_so3_transpose)(const real A[9], real B[9]) {
+  real a[9];
+  copy(A, 9, a);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) B[3 * i + j] = a[3 * j + i];
+}
+
+void FN(chs_so3_apply)(const real R[9], const real x[3], real y[3]) {
+  real a = dot(R, x), b = dot(R + 3, x), c = dot(R + 6, x);
+  y[0] = a;
+  y[1] = b;
+  y[2] = c;
+}
+
+int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
+  int status = check_rotation(A);
+  int other = check_rotation(B);
+  if (status != CHS_OK || other != CHS_OK) return first_error(status, other);
+  /* Twice the sine's axis is sum a_k x b_k = sum a_k x (b_k - a_k), k the columns: differences keep small angles
+   * exact. */
+  real s[3] = {0, 0, 0}, trace = 0;
+  for (int k = 0; k < 3; k++) {
+    real a[3] = {A[k], A[3 + k], A[6 + k]}, b[3] = {B[k], B[3 + k], B[6 + k]}, d[3], axd[3];
+    subtract(b, a, d);
+    cross(a, d, axd);
+    for (int i = 0; i < 3; i++) s[i] += axd[i];
+    trace += dot(a, b);
+  }
+  *angle = FN(chs_p_angle_of)(norm(s, 3), trace - K(1.0));
+  return CHS_OK;
+}
+
+static real difference_of_products(real a, real b, real c, real d) {
+  exact_sum ab = product(a, b), cd = product(c, d);
+  return (ab.hi - cd.hi) + (ab.lo - cd.lo);
+}
+
+/* a x b where cancellation would eat the digits: rounded once or twice, whatever the angle between a and b. */
+static void exact_cross(const real a[3], const real b[3], real c[3]) {
+  c[0] = difference_of_products(a[1], b[2], a[2], b[1]);
+  c[1] = difference_of_products(a[2], b[0], a[0], b[2]);
+  c[2] = difference_of_products(a[0], b[1], a[1], b[0]);
+}
+
+/* C = cof(X), and its norm given that of X. */
+static real cofactors(const real X[9], real size, real C[9]) {
+  cross(X + 3, X + 6, C);
+  cross(X + 6, X, C + 3);
+  cross(X, X + 3, C + 6);
+  if (norm(C, 9) < K(0.125) * size * size) {
+    exact_cross(X + 3, X + 6, C);
+    exact_cross(X + 6, X, C + 3);
+    exact_cross(X, X + 3, C + 6);
+  }
+  return norm(C, 9);
+}
+
+/* Newton's iteration for the polar factor, X <- X/|X| + cof(X)/|cof(X)|: X and its cofactor matrix have the same
+ * singular vectors, and cof(X) = det(X) X^-T needs no inverse, so that rank 2 is as good as rank 3. Scaled by Frobenius
+ * norms as in Higham 1986; 9 steps suffice for any condition number, and the bound below is never met by a matrix that
+ * has a nearest rotation. */
+int FN(chs_so3_nearest)(const real M[9], real R[9], real *distance) {
+  int status = finiteness(M, 9);
+  if (status != CHS_OK) return status;
+  const real root = K(0.86602540378443864676); /* sqrt(3)/2: a rotation has Frobenius norm sqrt(3) */
+  real most = largest(M, 9), X[9], C[9], change = 1;
+  if (most == 0) return CHS_ERR_SINGULAR;
+  real scale = safe_to_square(most);
+  for (int i = 0; i < 9; i++) X[i] = scale * M[i];
+  for (int step = 0; change > K(0.25) * SQRT(EPS); step++) {
+    real size = norm(X, 9), cofactor_size = cofactors(X, size, C);
+    if (dot(X, C) < K(-16.0) * EPS * size * size * size) return CHS_ERR_REFLECTION;
+    if (cofactor_size <= K(8.0) * EPS * size * size || step == 16) return CHS_ERR_SINGULAR;
+    real x_scale = root / size, c_scale = root / cofactor_size;
+    change = 0;
+    for (int i = 0; i < 9; i++) {
+      real x = x_scale * X[i], c = c_scale * C[i], difference = ABS(x - c);
+      change = difference > change ? difference : change;
+      X[i] = x + c;
+    }
+  }
+  if (distance) {
+    real difference[9];
+    for (int i = 0; i < 9; i++) difference[i] = M[i] - X[i];
+    *distance = norm(difference, 9);
+  }
+  copy(X, 9, R);
+  return CHS_OK;
+}
+
+int FN(chs_so3_deviation)(const real R[9], real *deviation) {
+  real d = FN(chs_p_deviation)(R);
+  if (!is_finite(d)) return why_not_finite(R, 9);
+  *deviation = d;
+  return CHS_OK;
+}
+
+int FN(chs_so3_check)(const real R[9], real tolerance) { return FN(chs_p_rotation_status)(R, tolerance); }

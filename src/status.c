@@ -1,0 +1,24 @@
+#include <chasles/status.h>
+
+const char *chs_status_text(int status) {
+  switch (status) {
+  case CHS_OK: return "ok";
+  case CHS_HALF_TURN: return "half-turn: the sign of the axis is a convention";
+  case CHS_PURE_TRANSLATION: return "pure translation: no rotation axis";
+  case CHS_NO_MOTION: return "no motion";
+  case CHS_ILL_CONDITIONED: return "ill-conditioned: more than half of the digits are lost";
+  case CHS_AZIMUTH_UNDEFINED: return "no tilt: the azimuth is undefined";
+  case CHS_TORSION_UNDEFINED: return "tilt of pi: the torsion is undefined";
+  case CHS_ERR_NAN: return "an input is not a number";
+  case CHS_ERR_INFINITE: return "an input is infinite";
+  case CHS_ERR_OVERFLOW: return "the result is beyond the range of the format";
+  case CHS_ERR_ANGLE_RANGE: return "an angle is too large to be reduced modulo 2 pi";
+  case CHS_ERR_NOT_ROTATION: return "a matrix is too far from a rotation";
+  case CHS_ERR_REFLECTION: return "a matrix is a reflection";
+  case CHS_ERR_SINGULAR: return "the result does not exist or is not unique";
+  case CHS_ERR_COINCIDENT: return "two points coincide";
+  case CHS_ERR_COLLINEAR: return "the points lie on a line";
+  case CHS_ERR_NOT_RIGID: return "the two triangles are not of the same shape";
+  default: return "unknown status";
+  }
+}

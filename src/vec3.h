@@ -1,0 +1,79 @@
+/* Vectors of three, norms that neither overflow nor underflow, and what kind of bad number an input holds. */
+#ifndef CHASLES_VEC3_H
+#define CHASLES_VEC3_H
+
+#include "real.h"
+#include <chasles/status.h>
+
+static inline real dot(const real a[3], const real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* c may be a or b. */
+static inline void cross(const real a[3], const real b[3], real c[3]) {
+  real x = a[1] * b[2] - a[2] * b[1];
+  real y = a[2] * b[0] - a[0] * b[2];
+  real z = a[0] * b[1] - a[1] * b[0];
+  c[0] = x;
+  c[1] = y;
+  c[2] = z;
+}
+
+static inline void subtract(const real a[3], const real b[3], real c[3]) {
+  for (int i = 0; i < 3; i++) c[i] = a[i] - b[i];
+}
+
+static inline void copy(const real *from, int n, real *to) {
+  for (int i = 0; i < n; i++) to[i] = from[i];
+}
+
+static inline real largest(const real *v, int n) {
+  real m = 0;
+  for (int i = 0; i < n; i++) {
+    real x = ABS(v[i]);
+    m = x > m ? x : m;
+  }
+  return m;
+}
+
+/* The factor that makes a vector's entries safe to square; dividing by it afterwards is exact. */
+static inline real safe_to_square(real largest_entry) {
+  return largest_entry < UNDERFLOWS ? ENLARGE : largest_entry > OVERFLOWS ? REDUCE : K(1.0);
+}
+
+static inline real norm(const real *v, int n) {
+  real scale = safe_to_square(largest(v, n)), sum = 0;
+  for (int i = 0; i < n; i++) {
+    real x = scale * v[i];
+    sum += x * x;
+  }
+  return SQRT(sum) / scale;
+}
+
+/* e = v/|v|, or 0 for a zero vector, to full precision also where v is subnormal or huge. Its zeros are positive. */
+static inline void unit(const real v[3], real e[3]) {
+  real scale = safe_to_square(largest(v, 3));
+  real x[3] = {scale * v[0], scale * v[1], scale * v[2]}, length = SQRT(dot(x, x));
+  for (int i = 0; i < 3; i++) e[i] = length > 0 ? x[i] / length + K(0.0) : K(0.0);
+}
+
+/* False for NaN and infinities. */
+static inline int is_finite(real x) { return ABS(x) <= REAL_MAX; }
+
+/* CHS_OK, CHS_ERR_NAN or CHS_ERR_INFINITE; NaN takes precedence. */
+static inline int finiteness(const real *v, int n) {
+  int status = CHS_OK;
+  for (int i = 0; i < n; i++) {
+    if (v[i] != v[i]) return CHS_ERR_NAN;
+    if (!is_finite(v[i])) status = CHS_ERR_INFINITE;
+  }
+  return status;
+}
+
+static inline int all_finite(const real *v, int n) { return finiteness(v, n) == CHS_OK; }
+
+/* The answer to a result that came out non-finite: the input's fault or the range's. */
+static inline int why_not_finite(const real *input, int n) {
+  int status = finiteness(input, n);
+  return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
+}
+
+#endif

@@ -1,0 +1,210 @@
+"""Write src/coefficients.h: the polynomials behind the library's few transcendental kernels.
+
+    python3 tools/coefficients/generate.py [--check]
+
+Each kernel is a minimax polynomial in one variable x on [0, top], with its first coefficients pinned to the exact
+leading terms of the Taylor series. Coefficients are rounded to the format one by one, lowest order first, and those
+that are still free are fitted again after each rounding, so that they absorb its error. The bound written beside each
+polynomial is the largest weighted error of the rounded polynomial itself, in exact arithmetic, in eps of the format;
+rounding errors of its evaluation come on top and are covered by the functions' own promises.
+"""
+
+import argparse
+import pathlib
+import sys
+
+from mpmath import atan, cos, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+
+mp.dps = 50
+
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "src" / "coefficients.h"
+GRID = 400
+
+
+def sinc(h):
+    """sin(sqrt h) / sqrt h"""
+    return sin(sqrt(h)) / sqrt(h) if h else mpf(1)
+
+
+def cosine(h):
+    """cos(sqrt h)"""
+    return cos(sqrt(h))
+
+
+def cubic(t):
+    """(x - sin x) / x^3 at x = sqrt t"""
+    if t < mpf(10) ** -12:
+        return mpf(1) / 6 - t / 120 + t * t / 5040
+    x = sqrt(t)
+    return (x - sin(x)) / x**3
+
+
+def arctangent(u):
+    """atan(sqrt u) / sqrt u"""
+    return atan(sqrt(u)) / sqrt(u) if u else mpf(1)
+
+
+# The half angle runs to pi/2 and the angle to pi; 1e-3 more leaves room for the rounding of the comparisons that
+# choose the interval. "relative" divides the error by the function, "absolute" does not.
+SLACK = mpf("1.001")
+KERNELS = [
+    # macro, function and its form (P is the macro), top, weight, pinned, degrees in double and float, coefficients left out
+    ("SINC", sinc, "P", SLACK * (pi / 2) ** 2, "relative", [mpf(1)], 8, 5, 0),
+    ("COS_REST", cosine, "1 - h/2 + h^2 P", SLACK * (pi / 2) ** 2, "absolute", [mpf(1), mpf(-1) / 2], 8, 5, 2),
+    ("CUBIC", cubic, "P", SLACK * pi**2, "relative", [], 9, 6, 0),
+    ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 13, 6, 1),
+]
+FORMATS = [("double", 53, ""), ("float", 24, "F")]
+
+
+def round_to(value, bits):
+    """The nearest number of the format, ties to even (no coefficient is subnormal)."""
+    if value == 0:
+        return mpf(0)
+    saved, mp.prec = mp.prec, bits
+    try:
+        return +value
+    finally:
+        mp.prec = saved
+
+
+def hexfloat(value, bits):
+    """C99 hexadecimal text of a number that the format holds exactly."""
+    sign, mantissa, exponent, _ = value._mpf_
+    mantissa, exponent = int(mantissa), int(exponent)
+    shift = bits - mantissa.bit_length()
+    mantissa, exponent = mantissa << shift, exponent - shift
+    fraction_bits = bits - 1
+    padding = -fraction_bits % 4
+    fraction = (mantissa - (1 << fraction_bits)) << padding
+    digits = f"{fraction:0{(fraction_bits + padding) // 4}x}".rstrip("0")
+    return f"{'-' if sign else ''}0x1{'.' + digits if digits else ''}p{exponent + fraction_bits:+d}"
+
+
+def evaluate(coefficients, x):
+    value = mpf(0)
+    for c in reversed(coefficients):
+        value = value * x + c
+    return value
+
+
+def remez(function, weight, top, fixed, degree):
+    """Free coefficients fixed..degree of the weighted minimax polynomial whose first ones are given."""
+    first, free = len(fixed), degree + 1 - len(fixed)
+    # Extrema of a Chebyshev polynomial on [0, top] are a good first reference.
+    reference = [top / 2 * (1 - cos(pi * (k + mpf(1) / 2) / (free + 1))) for k in range(free + 1)]
+    grid = [top / 2 * (1 - cos(pi * k / GRID)) for k in range(1, GRID + 1)]
+    wanted = {x: (function(x), weight(function(x))) for x in grid}
+
+    def error(c, x):
+        f, w = wanted[x] if x in wanted else (function(x), weight(function(x)))
+        return (evaluate(c, x) - f) * w
+
+    coefficients = []
+    for _ in range(12):
+        a, b = matrix(free + 1), matrix(free + 1, 1)
+        for row, x in enumerate(reference):
+            w = weight(function(x))
+            for j in range(free):
+                a[row, j] = x ** (first + j) * w
+            a[row, free] = mpf(-1) ** row
+            b[row] = (function(x) - evaluate(fixed, x)) * w
+        solution = lu_solve(a, b)
+        coefficients = fixed + [solution[j] for j in range(free)]
+        level = abs(solution[free])
+        errors = [error(coefficients, x) for x in grid]
+        extrema = alternating_extrema(grid, errors)
+        while len(extrema) > free + 1:
+            extrema.pop(0 if abs(errors[extrema[0]]) < abs(errors[extrema[-1]]) else -1)
+        if len(extrema) < free + 1:
+            break
+        worst = max(abs(errors[i]) for i in extrema)
+        reference = [grid[i] for i in extrema]
+        if worst < level * mpf("1.001"):
+            break
+    return coefficients
+
+
+def alternating_extrema(grid, errors):
+    """Indices of the largest error in each run of one sign."""
+    runs = []
+    for i, e in enumerate(errors):
+        if runs and (errors[runs[-1]] > 0) == (e > 0):
+            if abs(e) > abs(errors[runs[-1]]):
+                runs[-1] = i
+        else:
+            runs.append(i)
+    return runs
+
+
+def fit(function, top, weight, pinned, degree, bits):
+    coefficients = [round_to(c, bits) for c in pinned]
+    while len(coefficients) <= degree:
+        coefficients.append(round_to(remez(function, weight, top, coefficients, degree)[len(coefficients)], bits))
+    points = [top * k / 2000 for k in range(1, 2001)]
+    worst = max(abs((evaluate(coefficients, x) - function(x)) * weight(function(x))) for x in points)
+    return coefficients, worst * mpf(2) ** (bits - 1)
+
+
+def split(value, bits, parts):
+    """value as a sum of numbers of the format, each the rest rounded."""
+    pieces = []
+    for _ in range(parts):
+        pieces.append(round_to(value, bits))
+        value -= pieces[-1]
+    return pieces
+
+
+def horner(macro, variable, constants):
+    """The macro that evaluates a polynomial, highest order innermost, as lines."""
+    lines = [f"#define {macro} \\"]
+    for constant in constants[:-1]:
+        lines.append(f"  ({constant} + ({variable}) * \\")
+    lines.append(f"  {constants[-1]}" + ")" * (len(constants) - 1))
+    return lines
+
+
+def section(precision, bits, suffix):
+    lines = []
+    for name, function, form, top, kind, pinned, in_double, in_float, first in KERNELS:
+        degree = in_double if precision == "double" else in_float
+        weight = (lambda f: 1 / abs(f)) if kind == "relative" else (lambda f: mpf(1))
+        coefficients, bound = fit(function, top, weight, pinned, degree, bits)
+        variable = function.__code__.co_varnames[0]
+        macro = f"CHS_{name}({variable})"
+        lines.append(f"/* {function.__doc__} = {form.replace('P', macro)}")
+        lines.append(f"   on [0, {mp.nstr(top, 5)}], {kind} error {mp.nstr(bound, 2)} eps */")
+        lines += horner(macro, variable, [hexfloat(c, bits) + suffix for c in coefficients[first:]])
+    for name, value, parts in [("PI", pi, 3), ("HALF_PI", pi / 2, 2), ("QUARTER_PI", pi / 4, 2)]:
+        for letter, piece in zip("ABC", split(value, bits, parts)):
+            lines.append(f"#define CHS_{name}_{letter} {hexfloat(piece, bits)}{suffix}")
+    return lines
+
+
+def header():
+    lines = [
+        "/* Written by tools/coefficients/generate.py; do not edit.",
+        " * Polynomials by Horner's rule; constants as unevaluated sums A + B + C. */",
+        "#ifndef CHASLES_COEFFICIENTS_H",
+        "#define CHASLES_COEFFICIENTS_H",
+        "",
+        "/* clang-format off */",
+    ]
+    for precision, bits, suffix in FORMATS:
+        lines += ["#ifndef CHS_SINGLE" if precision == "double" else "#else"] + section(precision, bits, suffix)
+    return "\n".join(lines + ["#endif", "/* clang-format on */", "", "#endif", ""])
+
+
+def main():
+    parser = argparse.ArgumentParser(description="write src/coefficients.h")
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if the committed file differs")
+    if parser.parse_args().check:
+        same = HEADER.read_text() == header()
+        print(f"{HEADER.name}: {'same' if same else 'differs'}")
+        return 0 if same else 1
+    HEADER.write_text(header())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
