@@ -1,0 +1,120 @@
+# chasles solve: a known screw, gaps, and tables that are not what they should be.
+PROGRAM=$1
+. "$(dirname "$0")/expect.sh"
+
+# Frame 2 to 4: a quarter turn about the line through (1, 0, 0) along z, with 2 along it. Frames 1 and 3 lack a marker,
+# frame 5 is the same quarter turn once more, and in frame 6 the triangle has another shape. D never moves.
+cat >trial.csv <<'END'
+time_s,A_x_m,A_y_m,A_z_m,B_x_m,B_y_m,B_z_m,C_x_m,C_y_m,C_z_m,D_x_m,D_y_m,D_z_m,remark
+0,,0,0,1,3,0,1,0,4,0,0,0,
+0.5,2,0,0,1,3,0,1,0,4,0,0,0,
+1,1,1,2,-2,0,NaN,1,0,6,0,0,0,
+1.5,1,1,2,-2,0,2,1,0,6,0,0,0,
+2,0,0,4,1,-3,4,1,0,8,0,0,0,
+2.5,0,0,4,1,-3,9,1,0,8,0,0,0,
+END
+
+# near LINE: fields 4 to 11 of that line of out are angle, axis, point and translation of the quarter turn.
+near() {
+  sed -n "$1p" out | awk -F, -v angle="$2" '
+    function off(a, b) { return a == "" || a - b > 1e-12 || b - a > 1e-12 }
+    { exit off($4, angle) || off($5, 0) || off($6, 0) || off($7, 1) || off($8, 1) || off($9, 0) || off($10, 0) ||
+      off($11, 2) }' || fail "line $1 is not the quarter turn"
+}
+
+# line N TEXT: line N of out is the text.
+line() { [ "$(sed -n "$1p" out)" = "$2" ] || fail "line $1 should be: $2"; }
+
+run 1 solve --markers A,B,C --out - trial.csv
+line 1 'frame,"time_s",from,angle_rad,axis_x,axis_y,axis_z,point_x_m,point_y_m,point_z_m,translation_m,status,note'
+line 2 '1,0,,,,,,,,,,,"missing: A"'
+line 3 '2,0.5,,,,,,,,,,,"reference"'
+line 4 '3,1,,,,,,,,,,,"missing: B"'
+near 5 1.5707963267948966
+err_is 'A, B, C by bottema-roth: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
+sed -n 7p out | grep -q '^6,2.5,2,,,,,,,,,-10,"' || fail "frame 6 should be in error"
+
+run 1 solve --markers A,B,C --out - --method laub-shiflett --against previous --degrees trial.csv
+near 5 90
+near 6 90
+sed -n 6p out | grep -q '^5,2,4,90' || fail "frame 5 should be measured against frame 4"
+
+run 1 solve --markers A,B,C --against 4 --out screws.csv trial.csv
+out_has 'A, B, C by bottema-roth: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
+cp screws.csv out
+near 6 1.5707963267948966
+line 5 '4,1.5,,,,,,,,,,,"reference"'
+
+# The table, and the same numbers from a file of another style.
+run 1 solve --markers A,B,C trial.csv
+out_has ' frame     time_s   from  angle_deg   axis_x   axis_y   axis_z   point_x_m '
+sed -n 5p out | grep -q '^     4   1.500000      2   90.00000 .* 1.00000           1 ' || fail 'frame 4 is missing'
+run 1 solve --markers A,B,C --out - trial.csv
+cp out expected
+printf '\357\273\277' >style.csv
+sed -e 's/,/;/g' -e 's/0.5;2/ "0.5" ; 2.0e0 /' -e 's/$/\r/' trial.csv >>style.csv
+printf '\r\n\r\n' >>style.csv
+run 1 solve --markers A,B,C --out - style.csv
+cmp -s out expected || fail "semicolons, quotes and line ends make a difference"
+tr , '\t' <trial.csv >style.csv
+run 1 solve --markers A,B,C --out - - <style.csv
+cmp -s out expected || fail "tabs make a difference"
+
+run 0 solve --markers A,B,C --tolerance 2 trial.csv
+run 1 solve trial.csv
+err_is 'chasles: no --markers given: the first three are taken of
+ A B C D'
+head -n 2 trial.csv >short.csv
+run 1 solve --markers A,B,C short.csv
+err_is 'chasles: no frame has all three markers'
+
+# Arguments.
+run 2 solve --markers A,B,E trial.csv
+err_is "chasles: trial.csv has no marker 'E'; it has
+ A B C D"
+run 2 solve --markers A,B trial.csv
+err_is "chasles: --markers expects three different names parted by commas, not 'A,B'"
+run 2 solve --markers A,B,A trial.csv
+err_is "chasles: --markers expects three different names parted by commas, not 'A,B,A'"
+run 2 solve --method guess trial.csv
+err_is "chasles: --method expects bottema-roth or laub-shiflett, not 'guess'"
+run 2 solve --tolerance -1 trial.csv
+err_is "chasles: --tolerance expects a number of at least 0, not '-1'"
+run 2 solve --against last trial.csv
+err_is "chasles: --against expects first, previous or the number of a frame, not 'last'"
+run 2 solve --markers A,B,C --against 3 trial.csv
+err_is 'chasles: trial.csv:4: frame 3 cannot be the reference, a marker is missing in it'
+run 2 solve --markers A,B,C --against 9 trial.csv
+err_is 'chasles: trial.csv has no frame 9: it ends with frame 6'
+run 2 solve --against 2 - <trial.csv
+err_is "chasles: --against a frame's number reads the file twice, which standard input does not allow"
+run 2 solve --markers A,B,C --out nowhere/screws.csv trial.csv
+err_is 'chasles: cannot write nowhere/screws.csv: No such file or directory'
+if [ -c /dev/full ]; then
+  run 2 solve --markers A,B,C --out /dev/full trial.csv
+  err_is 'chasles: cannot write /dev/full: No space left on device'
+fi
+
+# Malformed files: a sed command, the line of the complaint, and what it says.
+malformed() {
+  sed "$1" trial.csv >bad
+  run 2 solve --markers A,B,C bad
+  err_is "bad:$2: expected $3"
+}
+malformed '1s/C_z_m/C_w_m/' 1 'a column z of marker C, found nothing'
+malformed '1s/C_z_m/C_x_m/' 1 "one column x for each marker, found 'C'"
+malformed '1s/C_z_m/C_z_mm/' 1 "the unit 'm' in all columns of marker C, found 'mm'"
+malformed '1s/C_\(.\)_m/C_\1_mm/g' 1 "the unit 'm' of marker A for C as well, found 'mm'"
+malformed '1s/[ABC]_//g' 1 "columns NAME_x, NAME_y, NAME_z of at least three markers, found 'D'"
+malformed '1,$d' 0 'a row of column names, found the end of the file'
+malformed '4s/,$//' 4 '14 cells, found 13'
+malformed '4s/$/,/' 4 '14 cells, found 15'
+malformed '3s/2/2 m/' 3 "a position in column 2: a number with a decimal point, found '2 m'"
+malformed '3s/2/inf/' 3 "a position in column 2: a number with a decimal point, found 'inf'"
+malformed '3s/2/0x2/' 3 "a position in column 2: a number with a decimal point, found '0x2'"
+malformed '3s/2/1e999/' 3 "a position in column 2: a number with a decimal point, found '1e999'"
+malformed '3s/2/"2,5"/' 3 "a position in column 2: a number with a decimal point, found '2,5'"
+malformed '3s/2/"2/' 3 'a closing quote at the end of a cell, found nothing'
+malformed '3s/2/"2"5/' 3 "a closing quote at the end of a cell, found '5,0,0,1,3,0,1,0,4,0,0,0,'"
+
+finish

@@ -1,0 +1,17 @@
+/* commands.h - the subcommands: each takes its own arguments, argv[0] being its name, and returns the exit status. */
+#ifndef COMMANDS_H
+#define COMMANDS_H
+
+int compare_command(int argc, char **argv);
+int hash_command(int argc, char **argv);
+int solve_command(int argc, char **argv);
+
+extern const char compare_help[];
+extern const char hash_help[];
+extern const char solve_help[];
+
+/* The message for an option that getopt_long did not accept; returns the exit status. `option` is what it returned,
+ * '?' or ':' (the caller's short options start with a colon). */
+int bad_option(int option, char **argv);
+
+#endif

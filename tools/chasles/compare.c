@@ -1,0 +1,200 @@
+/* compare.c - chasles compare: the library against reference vectors. */
+#include <getopt.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "commands.h"
+#include "paths.h"
+#include "report.h"
+#include "selection.h"
+#include "tally.h"
+#include "vectors.h"
+
+const char compare_help[] =
+    "usage: chasles compare [options] DIR_OR_FILE...\n"
+    "\n"
+    "Calls every function of the library on the inputs of reference vectors and compares the results with the\n"
+    "exact ones. For each function, group of outputs, precision and band of inputs it prints the number of cases,\n"
+    "the largest and the mean error in eps of the format (2^-52 for double, 2^-23 for float), the error that the\n"
+    "public header promises, PASS or FAIL, and the name of the worst case. Statuses must be exactly those expected,\n"
+    "and on an error status no byte of the outputs may change.\n"
+    "\n"
+    "Of a directory, the files that end in .f64.txt or .f32.txt are read; '-' is standard input.\n"
+    "\n"
+    "options:\n"
+    "  --only FUNCTION    compare this function only; may be repeated, or hold several parted by commas\n"
+    "                     (default: all)\n"
+    "  --worst N          print the N worst cases in full, in hexadecimal and decimal (default: 0)\n"
+    "  --quiet            print only the rows that fail, and the summary\n"
+    "  --csv FILE         write the table to FILE as CSV\n"
+    "  --json FILE        write the table and the faults to FILE as JSON\n"
+    "  --help             print this help\n"
+    "\n"
+    "exit status:\n"
+    "  0  every result is within its promise\n"
+    "  1  some result is not, or a status or an untouched output is wrong\n"
+    "  2  unusable input: nothing to read, a malformed file, an unknown function, an output that cannot be written\n"
+    "\n"
+    "examples:\n"
+    "  chasles compare tests/vectors\n"
+    "  chasles compare --only so3_exp,so3_log --worst 3 --json report.json tests/vectors\n";
+
+enum { MOST_WORST = 10000, CASES_BETWEEN_PROGRESS = 4096 };
+
+struct options {
+  struct selection only;
+  struct paths paths;
+  long worst;
+  bool quiet;
+  const char *csv;
+  const char *json;
+};
+
+/* How far the run is, once a second, on a terminal only. */
+struct progress {
+  bool terminal;
+  bool shown;
+  time_t last; /* second of the start, then of the last line shown */
+};
+
+static time_t seconds_now(void) {
+  struct timespec now = {0};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
+
+static void progress_show(struct progress *progress, int file, int files, const struct tally *tally) {
+  if (!progress->terminal || seconds_now() == progress->last) return;
+  fprintf(stderr, "\r\033[Kfile %d of %d, %ld cases", file, files, tally->cases);
+  progress->shown = true;
+  progress->last = seconds_now();
+}
+
+static void progress_end(const struct progress *progress) {
+  if (progress->shown) fputs("\r\033[K", stderr);
+}
+
+static bool compare_cases(struct tally *tally, const char *name, struct vectors *vectors, struct progress *progress,
+                          int file, int files) {
+  struct vector_case record;
+  long count = 0;
+  enum text_result result;
+  while ((result = vectors_next(vectors, &record)) == TEXT_LINE) {
+    if (!tally_add(tally, name, vectors, &record)) return false;
+    if (++count % CASES_BETWEEN_PROGRESS == 0) progress_show(progress, file, files, tally);
+  }
+  if (result == TEXT_END && count == 0) result = text_expected(&vectors->text, NULL, "'case'");
+  return result == TEXT_END;
+}
+
+static bool compare_files(struct tally *tally, const struct options *options) {
+  struct progress progress = {isatty(STDERR_FILENO) != 0, false, seconds_now()};
+  bool good = true;
+  for (int i = 0; good && i < options->paths.count; ++i) {
+    const char *name = options->paths.names[i];
+    struct vectors vectors;
+    progress_show(&progress, i + 1, options->paths.count, tally);
+    good = vectors_open(&vectors, name);
+    if (!good) break;
+    if (selection_has(&options->only, vectors.function)) {
+      ++tally->files;
+      good = compare_cases(tally, name, &vectors, &progress, i + 1, options->paths.count);
+    }
+    vectors_close(&vectors);
+  }
+  progress_end(&progress);
+  return good;
+}
+
+/* Nothing may look compared that was not. A function asked for by name needs vectors. */
+static bool check_coverage(const struct tally *tally, const struct options *options) {
+  bool good = true;
+  for (int i = 0; i < function_count && options->only.chosen != NULL; ++i) {
+    if (tally->seen[i] || !selection_has(&options->only, &functions[i])) continue;
+    complain("no vectors of %s in what was given", functions[i].name);
+    good = false;
+  }
+  return good;
+}
+
+/* A whole directory is expected to cover the library: what it leaves out is said. */
+static void print_uncovered(const struct tally *tally, const struct options *options) {
+  bool any = false;
+  if (options->only.chosen != NULL || !options->paths.has_directory) return;
+  for (int i = 0; i < function_count; ++i) {
+    if (tally->seen[i]) continue;
+    printf("%s %s", any ? "," : "not compared, no vectors:", functions[i].name);
+    any = true;
+  }
+  if (any) putchar('\n');
+}
+
+static int report(struct tally *tally, const struct options *options) {
+  tally_sort(tally);
+  report_table(tally, options->quiet);
+  report_faults(tally);
+  report_worst(tally);
+  print_uncovered(tally, options);
+  report_summary(tally);
+  bool written = options->csv == NULL || report_csv(tally, options->csv);
+  if (options->json != NULL && !report_json(tally, options->json)) written = false;
+  if (!written) return UNUSABLE;
+  return tally->failures == 0 ? ALL_WELL : SOMETHING_OVER;
+}
+
+static int compare(struct options *options) {
+  struct tally tally;
+  paths_sort(&options->paths);
+  if (!tally_init(&tally, (int)options->worst)) return UNUSABLE;
+  int status = UNUSABLE;
+  if (compare_files(&tally, options) && check_coverage(&tally, options)) status = report(&tally, options);
+  tally_free(&tally);
+  return status;
+}
+
+/* Returns the exit status when the run ends here, or -1. */
+static int read_options(int argc, char **argv, struct options *options) {
+  static const struct option names[] = {{"only", required_argument, NULL, 'o'},
+                                        {"worst", required_argument, NULL, 'w'},
+                                        {"quiet", no_argument, NULL, 'q'},
+                                        {"csv", required_argument, NULL, 'c'},
+                                        {"json", required_argument, NULL, 'j'},
+                                        {"help", no_argument, NULL, 'h'},
+                                        {NULL, 0, NULL, 0}};
+  int option;
+  while ((option = getopt_long(argc, argv, ":h", names, NULL)) != -1) {
+    switch (option) {
+    case 'o':
+      if (!selection_add(&options->only, optarg)) return UNUSABLE;
+      break;
+    case 'w':
+      if (parse_integer(optarg, 0, MOST_WORST, &options->worst)) break;
+      complain("--worst expects a number from 0 to %d, not '%s'", (int)MOST_WORST, optarg);
+      return UNUSABLE;
+    case 'q': options->quiet = true; break;
+    case 'c': options->csv = optarg; break;
+    case 'j': options->json = optarg; break;
+    case 'h': fputs(compare_help, stdout); return ALL_WELL;
+    default: return bad_option(option, argv);
+    }
+  }
+  if (optind == argc) {
+    complain("compare expects a directory or a file of vectors; see 'chasles help compare'");
+    return UNUSABLE;
+  }
+  for (int i = optind; i < argc; ++i) {
+    if (!paths_add(&options->paths, argv[i])) return UNUSABLE;
+  }
+  return -1;
+}
+
+int compare_command(int argc, char **argv) {
+  struct options options;
+  memset(&options, 0, sizeof options);
+  int status = read_options(argc, argv, &options);
+  if (status == -1) status = compare(&options);
+  selection_free(&options.only);
+  paths_free(&options.paths);
+  return status;
+}

@@ -1,0 +1,65 @@
+/* functions_calls.h - the calls of functions.def in one precision; functions.c includes it twice.
+ *
+ * The includer defines REAL and SCREW (the types), LIB(name) (the library's function of that name) and LOCAL(name) (a
+ * name of our own for this precision). No include guard, on purpose.
+ */
+
+/* A screw in a flat array is axis, point, translation, angle. */
+static SCREW LOCAL(get_screw)(const REAL *flat) {
+  SCREW screw;
+  for (int i = 0; i < 3; ++i) {
+    screw.axis[i] = flat[i];
+    screw.point[i] = flat[3 + i];
+  }
+  screw.translation = flat[6];
+  screw.angle = flat[7];
+  return screw;
+}
+
+static void LOCAL(put_screw)(const SCREW *screw, REAL *flat) {
+  for (int i = 0; i < 3; ++i) {
+    flat[i] = screw->axis[i];
+    flat[3 + i] = screw->point[i];
+  }
+  flat[6] = screw->translation;
+  flat[7] = screw->angle;
+}
+
+/* Functions that take or give a screw. A screw to be written starts as what the output array holds, so that one left
+ * untouched leaves the array untouched. */
+static int LOCAL(pose_to_screw)(const REAL *in, REAL *out) {
+  SCREW screw = LOCAL(get_screw)(out);
+  const int status = LIB(screw_from_pose)(in, &screw);
+  LOCAL(put_screw)(&screw, out);
+  return status;
+}
+
+static int LOCAL(screw_to_pose)(const REAL *in, REAL *out) {
+  const SCREW screw = LOCAL(get_screw)(in);
+  return LIB(screw_to_pose)(&screw, out);
+}
+
+static int LOCAL(pitch)(const REAL *in, REAL *out) {
+  const SCREW screw = LOCAL(get_screw)(in);
+  return LIB(screw_pitch)(&screw, out);
+}
+
+static int LOCAL(points_to_screw)(int (*method)(const REAL *, const REAL *, REAL, SCREW *, REAL *), const REAL *in,
+                                  REAL *out) {
+  SCREW screw = LOCAL(get_screw)(out);
+  const int status = method(in, in + 9, in[18], &screw, out + 8);
+  LOCAL(put_screw)(&screw, out);
+  return status;
+}
+
+/* Plain algebra returns void: its status is always 0. */
+#define ALWAYS_OK(call) ((call), CHS_OK)
+
+#define FUNCTION(name, kinds, inputs, outputs, call, ...)    \
+  static int LOCAL(call_##name)(const REAL *in, REAL *out) { \
+    (void)out; /* a check has no outputs */                  \
+    return call;                                             \
+  }
+#include "functions.def"
+#undef FUNCTION
+#undef ALWAYS_OK
