@@ -1,0 +1,17 @@
+# Compiles main.c with the answer of pkg-config about the installed library.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+find_program(pkg_config NAMES pkg-config pkgconf)
+if(NOT pkg_config)
+  message(STATUS "skipped: there is no pkg-config on this machine")
+  return()
+endif()
+file(GLOB_RECURSE pc_file ${CMAKE_PREFIX_PATH}/chasles.pc)
+cmake_path(GET pc_file PARENT_PATH pc_directory)
+set(ENV{PKG_CONFIG_PATH} ${pc_directory})
+execute_process(COMMAND ${pkg_config} --cflags --libs chasles
+  OUTPUT_VARIABLE answer COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(answer UNIX_COMMAND "${answer}")
+separate_arguments(flags UNIX_COMMAND "${CMAKE_C_FLAGS}")
+file(MAKE_DIRECTORY ${WORK})
+run(${CMAKE_C_COMPILER} ${flags} ${CMAKE_CURRENT_LIST_DIR}/main.c ${answer} -o ${WORK}/stranger)
+expect_same_output(${WORK}/stranger)

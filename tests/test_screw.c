@@ -1,0 +1,382 @@
+#include "support/suite.h"
+
+#define FUNCTIONS(PLAIN, CHECKED)                                   \
+  CHECKED(screw_from_pose, "T", "S", (in[0], SCREW_AT(out[0])))     \
+  CHECKED(screw_to_pose, "S", "T", (CONST_SCREW_AT(in[0]), out[0])) \
+  CHECKED(screw_pitch, "H", "a", (CONST_SCREW_AT(in[0]), out[0]))
+
+DEFINE_FUNCTIONS(FUNCTIONS)
+DEFINE_CONTRACT_TESTS()
+
+enum { CASES = 500 };
+
+static const double to_pose_in_norm = 3 * CHS_EPS_SCREW_TO_POSE_ROTATION;
+static const double to_pose_as_angle = 3 * CHS_EPS_SCREW_TO_POSE_ROTATION / 1.4142135623730951;
+
+static void pose_of(const real R[9], real x, real y, real z, real T[16]) {
+  const real p[3] = {x, y, z};
+  FN(chs_se3_from_parts)(R, p, T);
+}
+
+static screw screw_of(real ex, real ey, real ez, real x, real y, real z, real translation, real angle) {
+  screw s = {{ex, ey, ez}, {x, y, z}, translation, angle};
+  return s;
+}
+
+static void random_screw(double angle, double reach, double translation, screw *s) {
+  real any[3], across[3];
+  random_vector(1, s->axis);
+  random_vector(1, any);
+  cross_of(s->axis, any, across);
+  scaled(reach / length_of(across, 3), across, 3, s->point);
+  s->translation = (real)translation;
+  s->angle = (real)angle;
+}
+
+static void test_the_identity_is_no_motion_along_z(void) {
+  const screw expected = screw_of(0, 0, 1, 0, 0, 0, 0, 0);
+  screw s;
+  ASSERT_STATUS(CHS_NO_MOTION, FN(chs_screw_from_pose)(identity4, &s));
+  ASSERT_SAME_BITS(expected.axis, s.axis, 8);
+}
+
+static void test_a_translation_is_a_screw_along_it_through_the_origin(void) {
+  const real zero[3] = {0, 0, 0};
+  for (int k = 0; k < CASES; k++) {
+    real p[3], T[16], e[3];
+    screw s;
+    double length = log_uniform(PICK(1e-307, 1e-37), PICK(1e307, 1e37));
+    random_vector(length, p);
+    FN(chs_se3_from_parts)(identity3, p, T);
+    ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_from_pose)(T, &s));
+    length = length_of(p, 3);
+    scaled(1 / length, p, 3, e);
+    ASSERT_NORM_WITHIN_EPS(e, s.axis, 3, CHS_EPS_SCREW_FROM_POSE_AXIS + 1, 1);
+    ASSERT_SAME_BITS(zero, s.point, 3);
+    ASSERT_WITHIN_EPS(length, s.translation, CHS_EPS_SCREW_FROM_POSE_TRANSLATION, length);
+    ASSERT_SAME_BITS(zero, &s.angle, 1);
+  }
+}
+
+static void test_the_direction_of_subnormal_translations_is_resolved(void) {
+  const real R3 = (real)(1 / sqrt(3)), expected[3] = {R3, -R3, R3};
+  real T[16];
+  screw s;
+  pose_of(identity3, SMALLEST, -SMALLEST, SMALLEST, T);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_from_pose)(T, &s));
+  ASSERT_NORM_WITHIN_EPS(expected, s.axis, 3, CHS_EPS_SCREW_FROM_POSE_AXIS + 1, 1);
+}
+
+static void test_a_quarter_turn_about_a_line_parallel_to_z(void) {
+  const real R[9] = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  const screw expected = screw_of(0, 0, 1, 1, 2, 0, 5, REAL_PI / 2);
+  real T[16];
+  screw s;
+  pose_of(R, 3, 1, 5, T); /* takes (1, 2, 0) to (1, 2, 5) */
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_from_pose)(T, &s));
+  double p = sqrt(35);
+  ASSERT_NORM_WITHIN_EPS(expected.axis, s.axis, 3, CHS_EPS_SCREW_FROM_POSE_AXIS, 1);
+  ASSERT_NORM_WITHIN_EPS(expected.point, s.point, 3, CHS_EPS_SCREW_FROM_POSE_POINT, p / (2 * sin(PI / 4)));
+  ASSERT_WITHIN_EPS(5, s.translation, CHS_EPS_SCREW_FROM_POSE_TRANSLATION, p);
+  ASSERT_WITHIN_EPS(PI / 2, s.angle, CHS_EPS_SCREW_FROM_POSE_ANGLE, PI / 2);
+}
+
+static void test_a_half_turn_has_an_axis_whose_first_component_is_positive(void) {
+  for (int k = 0; k < CASES; k++) {
+    turn q = random_turn(0);
+    real R[9], T[16], e[3], p[3];
+    screw s;
+    turn_matrix(&q, R);
+    turn_axis(&q, e);
+    random_integers(-9, 9, 3, p);
+    FN(chs_se3_from_parts)(R, p, T);
+    ASSERT_STATUS(CHS_HALF_TURN, FN(chs_screw_from_pose)(T, &s));
+    double along = dot_of(e, p, 3), length = length_of(p, 3);
+    /* R is rounded by eps/2 in each entry: the axis turns by 3/2 eps / (2 sqrt(2)). */
+    double axis = CHS_EPS_SCREW_FROM_POSE_AXIS + 1.5 / (2 * sqrt(2)) + 1;
+    ASSERT_NORM_WITHIN_EPS(e, s.axis, 3, axis, 1);
+    real point[3];
+    for (int i = 0; i < 3; i++) point[i] = rounded(((double)p[i] - along * (double)e[i]) / 2);
+    ASSERT_NORM_WITHIN_EPS(point, s.point, 3, CHS_EPS_SCREW_FROM_POSE_POINT + axis + 1, length / 2);
+    ASSERT_WITHIN_EPS(along, s.translation, CHS_EPS_SCREW_FROM_POSE_TRANSLATION + axis, length);
+    ASSERT_WITHIN_EPS(PI, s.angle, CHS_EPS_SCREW_FROM_POSE_ANGLE + 1, PI);
+    TEST_ASSERT_TRUE((double)s.angle <= (double)REAL_PI);
+  }
+}
+
+static void test_the_point_is_the_one_nearest_to_the_origin(void) {
+  for (int k = 0; k < CASES; k++) {
+    real T[16];
+    screw s;
+    double reach = log_uniform(PICK(1e-250, 1e-25), PICK(1e250, 1e25));
+    random_pose(reach, T);
+    TEST_ASSERT_GREATER_OR_EQUAL(0, FN(chs_screw_from_pose)(T, &s));
+    double scale = reach / (2 * sin((double)s.angle / 2));
+    real unit_point[3];
+    scaled(1 / scale, s.point, 3, unit_point);
+    ASSERT_WITHIN_EPS(0, dot_of(s.axis, unit_point, 3),
+                      CHS_EPS_SCREW_FROM_POSE_POINT + CHS_EPS_SCREW_FROM_POSE_AXIS + 1, 1);
+    ASSERT_WITHIN_EPS(1, length_of(s.axis, 3), CHS_EPS_SCREW_FROM_POSE_AXIS, 1);
+  }
+}
+
+static void test_rotation_about_an_axis_out_of_range_is_a_pure_translation(void) {
+  const real w[3] = {0, PICK(1e-300, 1e-35F), 0}, p[3] = {K(3e10), 0, 0};
+  const screw expected = screw_of(1, 0, 0, 0, 0, 0, K(3e10), 0);
+  real R[9], T[16];
+  screw s;
+  FN(chs_so3_exp)(w, R);
+  FN(chs_se3_from_parts)(R, p, T);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_from_pose)(T, &s));
+  ASSERT_SAME_BITS(expected.axis, s.axis, 8);
+}
+
+static void test_to_pose_takes_back_what_from_pose_gave(void) {
+  for (int k = 0; k < CASES; k++) {
+    real T[16], back[16], R[9], p[3], R_back[9], p_back[3];
+    screw s;
+    random_pose(log_uniform(PICK(1e-250, 1e-25), PICK(1e250, 1e25)), T);
+    TEST_ASSERT_GREATER_OR_EQUAL(0, FN(chs_screw_from_pose)(T, &s));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&s, back));
+    FN(chs_se3_to_parts)(T, R, p);
+    FN(chs_se3_to_parts)(back, R_back, p_back);
+    double theta = (double)s.angle, chord = 2 * sin(theta / 2), length = length_of(p, 3);
+    /* The axis's error counts by the chord 2 sin(theta/2); T is 3 CHS_EPS_SO3_EXP away from a rotation. */
+    double rotation =
+        CHS_EPS_SCREW_FROM_POSE_AXIS * chord + CHS_EPS_SCREW_FROM_POSE_ANGLE * theta + 3 * CHS_EPS_SO3_EXP;
+    ASSERT_ENTRIES_WITHIN_EPS(R, R_back, 9, CHS_EPS_SCREW_TO_POSE_ROTATION + rotation, 1);
+    /* p = (I - R) A + u e, where A is no longer than |p| / chord. */
+    double promised = CHS_EPS_SCREW_TO_POSE_TRANSLATION * (1 + fmin(theta, 2) / chord) + CHS_EPS_SCREW_FROM_POSE_POINT +
+                      CHS_EPS_SCREW_FROM_POSE_TRANSLATION + CHS_EPS_SCREW_FROM_POSE_AXIS;
+    ASSERT_NORM_WITHIN_EPS(p, p_back, 3, promised + sqrt(3) * rotation / chord, length);
+  }
+}
+
+static void test_from_pose_takes_back_what_to_pose_gave(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s, back;
+    real T[16];
+    double scale = log_uniform(PICK(1e-250, 1e-25), PICK(1e250, 1e25));
+    random_screw(k % 2 ? uniform(0.1, 3) : random_angle(k / 2), scale * uniform(0.1, 2), scale * uniform(-2, 2), &s);
+    if ((double)s.angle < 100 * EPS || (double)s.angle > PI - 100 * EPS) continue; /* to_pose promises eps of 1 */
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&s, T));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_from_pose)(T, &back));
+    double theta = (double)s.angle, sine = sin(theta / 2), u = fabs((double)s.translation);
+    double p = u + 2 * sine * length_of(s.point, 3), off = u + fmin(theta, 2) * length_of(s.point, 3);
+    double axis = CHS_EPS_SCREW_FROM_POSE_AXIS + to_pose_as_angle / (2 * sine) + 1; /* 1: |s.axis| is rounded */
+    ASSERT_NORM_WITHIN_EPS(s.axis, back.axis, 3, axis, 1);
+    ASSERT_WITHIN_EPS(theta, back.angle, CHS_EPS_SCREW_FROM_POSE_ANGLE * theta + to_pose_as_angle, 1);
+    ASSERT_WITHIN_EPS(s.translation, back.translation,
+                      (CHS_EPS_SCREW_FROM_POSE_TRANSLATION + axis) * p + CHS_EPS_SCREW_TO_POSE_TRANSLATION * off, 1);
+    /* A = 1/2 (p_perp + cot(theta/2) e x p): its derivatives by p, e and theta. */
+    double point = CHS_EPS_SCREW_FROM_POSE_POINT * p / (2 * sine) +
+                   CHS_EPS_SCREW_TO_POSE_TRANSLATION * off / (2 * sine) + 3 * axis * p / (2 * sine) +
+                   to_pose_as_angle * p / (4 * sine * sine);
+    ASSERT_NORM_WITHIN_EPS(s.point, back.point, 3, point, 1);
+  }
+}
+
+static void test_to_pose_leaves_the_points_of_the_axis_on_it(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s;
+    real T[16], y[3], expected[3];
+    random_screw(uniform(-20, 20), uniform(0, 10), uniform(-5, 5), &s);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&s, T));
+    FN(chs_se3_apply)(T, s.point, y);
+    double u = (double)s.translation, reach = length_of(s.point, 3);
+    for (int i = 0; i < 3; i++) expected[i] = rounded((double)s.point[i] + u * (double)s.axis[i]);
+    ASSERT_NORM_WITHIN_EPS(expected, y, 3,
+                           CHS_EPS_SCREW_TO_POSE_TRANSLATION * (fabs(u) + 2 * reach) + (to_pose_in_norm + 2) * reach +
+                               CHS_EPS_SE3_APPLY * (sqrt(3) * reach + fabs(u) + 2 * reach) + fabs(u) + reach,
+                           1);
+  }
+}
+
+static void test_to_pose_is_the_same_for_every_length_of_the_axis(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s, longer;
+    real T[16], other[16];
+    random_screw(uniform(-20, 20), 2, 1, &s);
+    longer = s;
+    int power = integer(PICK(-1000, -110), PICK(1000, 110));
+    for (int i = 0; i < 3; i++) longer.axis[i] = (real)ldexp((double)s.axis[i], power);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&s, T));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&longer, other));
+    ASSERT_ENTRIES_WITHIN_EPS(T, other, 16, 2 * CHS_EPS_SCREW_TO_POSE_TRANSLATION, 1 + 2 * 2);
+  }
+}
+
+static void test_to_pose_is_the_same_for_every_point_of_the_axis(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s, shifted;
+    real T[16], other[16];
+    random_screw(uniform(-20, 20), 1, 1, &s);
+    shifted = s;
+    double t = uniform(-10, 10);
+    for (int i = 0; i < 3; i++) shifted.point[i] += rounded(t * (double)s.axis[i]);
+    FN(chs_screw_to_pose)(&s, T);
+    FN(chs_screw_to_pose)(&shifted, other);
+    double reach = 1 + 2 * length_of(s.point, 3), far = 1 + 2 * length_of(shifted.point, 3);
+    ASSERT_ENTRIES_WITHIN_EPS(T, other, 16, CHS_EPS_SCREW_TO_POSE_TRANSLATION, reach + far);
+  }
+}
+
+static void test_a_screw_seen_from_the_other_end_is_the_same_motion(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s, opposite;
+    real T[16], other[16];
+    random_screw(uniform(0, 20), 1, 1, &s);
+    opposite =
+        screw_of(-s.axis[0], -s.axis[1], -s.axis[2], s.point[0], s.point[1], s.point[2], -s.translation, -s.angle);
+    FN(chs_screw_to_pose)(&s, T);
+    FN(chs_screw_to_pose)(&opposite, other);
+    ASSERT_SAME_BITS(T, other, 16);
+  }
+}
+
+static void test_to_pose_agrees_with_exp_of_the_twist(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s;
+    real T[16], V[6], moment[3], E[16];
+    double theta = uniform(0, PI);
+    random_screw(theta, 1, 1, &s);
+    scaled(theta, s.axis, 3, V);
+    cross_of(s.point, s.axis, moment);
+    for (int i = 0; i < 3; i++) V[3 + i] = rounded(theta * (double)moment[i] + (double)s.axis[i]);
+    FN(chs_screw_to_pose)(&s, T);
+    FN(chs_se3_exp)(V, E);
+    double twist = 2 * (1 + theta); /* rounding of the twist's entries */
+    ASSERT_ENTRIES_WITHIN_EPS(E, T, 16,
+                              CHS_EPS_SCREW_TO_POSE_TRANSLATION * (1 + 2) + CHS_EPS_SE3_EXP_TRANSLATION * (1 + theta) +
+                                  twist * (1 + theta),
+                              1);
+  }
+}
+
+static void test_no_axis_is_needed_where_nothing_moves(void) {
+  const screw still = screw_of(0, 0, 0, 1, 2, 3, 0, 0);
+  real T[16];
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&still, T));
+  for (int i = 0; i < 16; i++) TEST_ASSERT_TRUE(identity4[i] == T[i]);
+}
+
+static void test_a_motion_without_an_axis_is_refused(void) {
+  const screw turning = screw_of(0, 0, 0, 1, 2, 3, 0, 1), sliding = screw_of(0, 0, 0, 1, 2, 3, SMALLEST, 0);
+  real T[16];
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, T, FN(chs_screw_to_pose)(&turning, T));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, T, FN(chs_screw_to_pose)(&sliding, T));
+}
+
+static void test_angles_beyond_the_range_are_refused(void) {
+  screw s = screw_of(0, 0, 1, 0, 0, 0, 0, ANGLE_MAX);
+  real T[16];
+  for (int sign = 1; sign >= -1; sign -= 2) {
+    s.angle = (real)sign * ANGLE_MAX;
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_to_pose)(&s, T));
+    s.angle = NEXT_AFTER(s.angle, (real)sign * REAL_MAX);
+    ASSERT_REFUSES(CHS_ERR_ANGLE_RANGE, T, FN(chs_screw_to_pose)(&s, T));
+  }
+}
+
+static void test_lengths_beyond_the_range_are_an_overflow(void) {
+  const screw far = screw_of(0, 0, 1, REAL_MAX, 0, 0, 0, REAL_PI);
+  real T[16];
+  screw s;
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, T, FN(chs_screw_to_pose)(&far, T));
+  pose_of(identity3, REAL_MAX, REAL_MAX, 0, T);
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, s, FN(chs_screw_from_pose)(T, &s));
+}
+
+static void test_pitch_is_translation_over_angle(void) {
+  for (int k = 0; k < CASES; k++) {
+    screw s = screw_of(0, 0, 1, 0, 0, 0, (real)uniform(-9, 9), (real)uniform(-9, 9));
+    real pitch;
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_pitch)(&s, &pitch));
+    double expected = (double)s.translation / (double)s.angle;
+    ASSERT_WITHIN_EPS(expected, pitch, CHS_EPS_SCREW_PITCH, fabs(expected));
+  }
+}
+
+static void test_pitch_without_rotation_is_infinite_with_the_sign_of_the_translation(void) {
+  const real infinite = (real)INFINITY, zero = 0;
+  const struct {
+    real translation, angle, pitch;
+    int status;
+  } known[] = {{1, 0, infinite, CHS_PURE_TRANSLATION},
+               {-SMALLEST, 0, -infinite, CHS_PURE_TRANSLATION},
+               {1, -zero, infinite, CHS_PURE_TRANSLATION},
+               {-1, -zero, -infinite, CHS_PURE_TRANSLATION},
+               {0, 0, 0, CHS_NO_MOTION},
+               {-zero, 0, 0, CHS_NO_MOTION},
+               {0, -zero, 0, CHS_NO_MOTION},
+               {0, 1, 0, CHS_OK}};
+  for (int k = 0; k < LENGTH(known); k++) {
+    screw s = screw_of(0, 0, 1, 0, 0, 0, known[k].translation, known[k].angle);
+    real pitch;
+    ASSERT_STATUS(known[k].status, FN(chs_screw_pitch)(&s, &pitch));
+    ASSERT_SAME_BITS(&known[k].pitch, &pitch, 1);
+  }
+}
+
+static void test_pitch_beyond_the_range_is_an_overflow(void) {
+  const screw s = screw_of(0, 0, 1, 0, 0, 0, REAL_MAX, K(0.5));
+  real pitch;
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, pitch, FN(chs_screw_pitch)(&s, &pitch));
+}
+
+static void test_worked_example_pose_to_screw(void) {
+  const real T[16] = {0, -1, 0, 3, 0, 0, -1, 0, 1, 0, 0, 0, 0, 0, 0, 1};
+  const double axis[3] = {0.577350269, -0.577350269, 0.577350269};
+  screw s;
+  real pitch;
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_from_pose)(T, &s));
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_pitch)(&s, &pitch));
+  for (int i = 0; i < 3; i++) TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, axis[i], (double)s.axis[i]);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, 2 * PI / 3, (double)s.angle);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, 0.826993343, (double)pitch);
+}
+
+static void test_worked_example_twist_to_screw(void) {
+  const real V[6] = {0, 2, 2, 4, 0, 0};
+  const double axis[3] = {0, 0.7071067812, 0.7071067812}, point[3] = {0, 1, -1};
+  real T[16], pitch;
+  screw s;
+  ASSERT_STATUS(CHS_OK, FN(chs_se3_exp)(V, T));
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_from_pose)(T, &s));
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_pitch)(&s, &pitch));
+  for (int i = 0; i < 3; i++) {
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 32 * EPS, axis[i], (double)s.axis[i]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 32 * EPS, point[i], (double)s.point[i]);
+  }
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 32 * EPS, 2.828427125, (double)s.angle);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 32 * EPS, 0, (double)pitch);
+}
+
+int main(void) {
+  SUITE_BEGIN();
+  RUN_CONTRACT_TESTS();
+  RUN_TEST(test_the_identity_is_no_motion_along_z);
+  RUN_TEST(test_a_translation_is_a_screw_along_it_through_the_origin);
+  RUN_TEST(test_the_direction_of_subnormal_translations_is_resolved);
+  RUN_TEST(test_a_quarter_turn_about_a_line_parallel_to_z);
+  RUN_TEST(test_a_half_turn_has_an_axis_whose_first_component_is_positive);
+  RUN_TEST(test_the_point_is_the_one_nearest_to_the_origin);
+  RUN_TEST(test_rotation_about_an_axis_out_of_range_is_a_pure_translation);
+  RUN_TEST(test_to_pose_takes_back_what_from_pose_gave);
+  RUN_TEST(test_from_pose_takes_back_what_to_pose_gave);
+  RUN_TEST(test_to_pose_leaves_the_points_of_the_axis_on_it);
+  RUN_TEST(test_to_pose_is_the_same_for_every_length_of_the_axis);
+  RUN_TEST(test_to_pose_is_the_same_for_every_point_of_the_axis);
+  RUN_TEST(test_a_screw_seen_from_the_other_end_is_the_same_motion);
+  RUN_TEST(test_to_pose_agrees_with_exp_of_the_twist);
+  RUN_TEST(test_no_axis_is_needed_where_nothing_moves);
+  RUN_TEST(test_a_motion_without_an_axis_is_refused);
+  RUN_TEST(test_angles_beyond_the_range_are_refused);
+  RUN_TEST(test_lengths_beyond_the_range_are_an_overflow);
+  RUN_TEST(test_pitch_is_translation_over_angle);
+  RUN_TEST(test_pitch_without_rotation_is_infinite_with_the_sign_of_the_translation);
+  RUN_TEST(test_pitch_beyond_the_range_is_an_overflow);
+  RUN_TEST(test_worked_example_pose_to_screw);
+  RUN_TEST(test_worked_example_twist_to_screw);
+  return SUITE_END();
+}
