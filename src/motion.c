@@ -57,14 +57,15 @@ static int read_triangles(const real initial[9], const real final[9], real toler
   real most = largest(sides, 18);
   if (!is_finite(most)) return CHS_ERR_OVERFLOW;
   if (most == 0) return CHS_ERR_COINCIDENT;
-  real enlarge = safe_to_square(most), scale = enlarge / power_of_two_below(enlarge * most);
-  t->noise = K(4.0) * EPS * (scale * reach);
+  /* Two factors, since one alone may be beyond the format. */
+  real enlarge = safe_to_square(most), scale = K(1.0) / power_of_two_below(enlarge * most);
+  t->noise = K(4.0) * EPS * (scale * (enlarge * reach));
   t->turned = 0;
   t->longest_at = 0;
   for (int k = 0; k < 3; k++) {
     for (int i = 0; i < 3; i++) {
-      t->from[k][i] *= scale;
-      t->to[k][i] *= scale;
+      t->from[k][i] = scale * (enlarge * t->from[k][i]);
+      t->to[k][i] = scale * (enlarge * t->to[k][i]);
       real change = ABS(t->to[k][i] - t->from[k][i]);
       t->turned = change > t->turned ? change : t->turned;
     }

@@ -7,9 +7,10 @@ real FN(chs_p_deviation)(const real R[9]) {
   return largest(off, 6) + poison;
 }
 
+/* A number with the sign of the determinant, whatever the size of the entries. */
 static real determinant_sign(const real M[9]) {
-  real scaled[9], third[3], scale = K(1.0) / largest(M, 9);
-  for (int i = 0; i < 9; i++) scaled[i] = scale * M[i];
+  real most = largest(M, 9), scale = safe_to_square(most), scaled[9], third[3];
+  for (int i = 0; i < 9; i++) scaled[i] = (scale * M[i]) / (scale * most);
   cross(scaled, scaled + 3, third);
   return dot(scaled + 6, third);
 }

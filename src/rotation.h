@@ -91,7 +91,7 @@ static inline quaternion quaternion_of(const real R[9]) {
 
 /* R = cos(theta) I + a [w] + b w w^T with a = sin(theta)/|w|, b = (1 - cos(theta))/|w|^2. A diagonal entry is 1 less
  * what the other two axes take away; where the cosine is below the limit given, it is cos(theta) plus its own axis'
- * share if that is the smaller. */
+ * share if that is the smaller. R may be w: all of w is read before R is written. */
 static inline void rotation_from(const real w[3], real a, real b, real cosine, real below, real R[9]) {
   real bx = b * w[0], by = b * w[1], bz = b * w[2];
   real xx = bx * w[0], yy = by * w[1], zz = bz * w[2];

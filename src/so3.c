@@ -28,8 +28,7 @@ int FN(chs_so3_exp)(const real w[3], real R[9]) {
   half_angle half;
   int status = half_angle_of(w, &half);
   if (status != CHS_OK) return status;
-  real v[3] = {w[0], w[1], w[2]};
-  rotation_from_half_angle(v, half, R);
+  rotation_from_half_angle(w, half, R);
   return CHS_OK;
 }
 
@@ -44,7 +43,7 @@ int FN(chs_so3_log)(const real R[9], real w[3]) {
 }
 
 /* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. On the diagonal the smaller
- * share of c |w|^2 is added to a or taken from 1. */
+ * share of c |w|^2 is added to a or taken from 1. J may be w: all of w is read before J is written. */
 static void jacobian_from(const real w[3], real a, real b, real c, real J[9]) {
   real cx = c * w[0], cy = c * w[1], cz = c * w[2];
   real xx = cx * w[0], yy = cy * w[1], zz = cz * w[2];
@@ -65,8 +64,7 @@ static int jacobian(const real w[3], real side, real J[9]) {
   half_angle half;
   int status = half_angle_of(w, &half);
   if (status != CHS_OK) return status;
-  real v[3] = {w[0], w[1], w[2]};
-  jacobian_from(v, sine_ratio(half), side * cosine_ratio(half), cubic_ratio(half), J);
+  jacobian_from(w, sine_ratio(half), side * cosine_ratio(half), cubic_ratio(half), J);
   return CHS_OK;
 }
 
@@ -77,11 +75,10 @@ static int jacobian_inverse(const real w[3], real side, real J[9]) {
   /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
   if (ABS(half.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
   real k = half.c / half.s;
-  real v[3] = {w[0], w[1], w[2]};
   /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - 4 (theta - sin(theta))/theta^3) / (4 s c). */
   real d = half.tt < 1 ? (half.s * half.s - K(4.0) * cubic_ratio(half)) / (K(4.0) * sine_ratio(half))
                        : (K(1.0) - k) / half.tt;
-  jacobian_from(v, k, side * K(-0.5), d, J);
+  jacobian_from(w, k, side * K(-0.5), d, J);
   return CHS_OK;
 }
 

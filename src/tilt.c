@@ -55,7 +55,7 @@ int FN(chs_tilt_to_rotation)(real azimuth, real tilt, real torsion, real R[9]) {
   }
   R[2] = ca * sine;
   R[5] = sa * sine;
-  R[6] = -(sine * cs);
+  R[6] = K(0.0) - sine * cs;
   R[7] = sine * ss;
   R[8] = cosine;
   return CHS_OK;

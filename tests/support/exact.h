@@ -66,7 +66,7 @@ static inline double turn_angle(const turn *q) { return 2 * atan2(sqrt(q->vv), q
 static inline void turn_axis(const turn *q, real e[3]) {
   int sign = 1, first = q->v[0] != 0 ? q->v[0] : q->v[1] != 0 ? q->v[1] : q->v[2];
   if (q->w == 0 && first < 0) sign = -1;
-  for (int i = 0; i < 3; i++) e[i] = (real)(sign * q->v[i] / sqrt(q->vv));
+  for (int i = 0; i < 3; i++) e[i] = rounded(sign * q->v[i] / sqrt(q->vv));
 }
 
 #endif
