@@ -52,7 +52,7 @@ static inline int half_angle_of(const real w[3], half_angle *half) {
   return CHS_OK;
 }
 
-/* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to CHS_ANGLE_MAX. */
+/* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to twice CHS_ANGLE_MAX. */
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine);
 
 /* 1 - cos(x) and cos(x) from s = sin(x/2) and c = cos(x/2), each from the smaller of the two squares. */

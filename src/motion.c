@@ -133,6 +133,27 @@ static real half_angle_vector(const real x[3], const real xf[3], const real y[3]
   return (dot(q->v, q->v) + q->w * q->w) / (K(4.0) * dot(dx, dx) + dot(dy, dy) + dot(sum, sum));
 }
 
+/* The rotation of Laub & Shiflett: eq. 12 and 13 with both origins moved into the plane's own frame (f1, f2, f3), f1
+ * along the longest side and f3 normal to the plane. Q maps f1 and f2 to g1 and g2, and cof(Q) maps f3 to g1 x g2. */
+static quaternion frame_quaternion(const triangles *t) {
+  const real *a = t->from[t->longest_at], *af = t->to[t->longest_at];
+  const real *c = t->from[(t->longest_at + 1) % 3], *cf = t->to[(t->longest_at + 1) % 3];
+  real f1[3], f2[3], f3[3], g1[3], g2[3], g3[3], R[9];
+  for (int i = 0; i < 3; i++) {
+    f1[i] = a[i] / t->longest;
+    g1[i] = af[i] / t->longest;
+  }
+  cross(a, c, f3);
+  unit(f3, f3);
+  cross(f3, f1, f2);
+  real along = dot(c, f1), height = t->doubled / t->longest;
+  for (int i = 0; i < 3; i++) g2[i] = (cf[i] - along * g1[i]) / height;
+  cross(g1, g2, g3);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) R[3 * i + j] = g1[i] * f1[j] + g2[i] * f2[j] + g3[i] * f3[j];
+  return quaternion_of(R);
+}
+
 int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
   triangles t;
   int status = read_triangles(initial, final, tolerance, &t);
@@ -154,11 +175,16 @@ int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real
     q = other;
     most = tells;
   }
-  if (half_angle_vector(c, cf, normal, normal_f, &other) > most) q = other;
+  tells = half_angle_vector(c, cf, normal, normal_f, &other);
+  if (tells > most) {
+    q = other;
+    most = tells;
+  }
   if (q.w < 0) negate(&q);
-  /* A turn by more than pi/2 moves some side by more than the smallest height. Where none has moved by half of it, a
-   * large angle comes from sides that changed their length but did not turn. */
-  if (q.w * q.w <= dot(q.v, q.v) && t.turned * t.longest < K(0.5) * t.doubled) return finish_translation(&t, out, T);
+  /* Each (v; w) is as long as the sides have turned, times the height of the triangle. Much shorter ones come from
+   * sides that changed their lengths rather than turned, by measuring errors, and would be those errors magnified. */
+  real height = t.doubled / (t.longest * t.longest);
+  if (most < K(0.1) * (t.turned * height) * (t.turned * height)) q = frame_quaternion(&t);
   return finish(&t, &q, out, T);
 }
 
@@ -168,23 +194,6 @@ int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], rea
   if (status != CHS_OK) return status;
   if (t.turned <= t.noise) return finish_translation(&t, out, T);
 
-  /* Eq. 12 and 13 with both origins moved into the plane's own frame (f1, f2, f3), f1 along the longest side and f3
-   * normal to the plane: Q maps f1 and f2 to g1 and g2, and cof(Q) maps f3 to g1 x g2. */
-  const real *a = t.from[t.longest_at], *af = t.to[t.longest_at];
-  const real *c = t.from[(t.longest_at + 1) % 3], *cf = t.to[(t.longest_at + 1) % 3];
-  real f1[3], f2[3], f3[3], g1[3], g2[3], g3[3], R[9];
-  for (int i = 0; i < 3; i++) {
-    f1[i] = a[i] / t.longest;
-    g1[i] = af[i] / t.longest;
-  }
-  cross(a, c, f3);
-  unit(f3, f3);
-  cross(f3, f1, f2);
-  real along = dot(c, f1), height = t.doubled / t.longest;
-  for (int i = 0; i < 3; i++) g2[i] = (cf[i] - along * g1[i]) / height;
-  cross(g1, g2, g3);
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) R[3 * i + j] = g1[i] * f1[j] + g2[i] * f2[j] + g3[i] * f3[j];
-  quaternion q = quaternion_of(R);
+  quaternion q = frame_quaternion(&t);
   return finish(&t, &q, out, T);
 }

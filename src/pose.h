@@ -20,16 +20,4 @@ static inline void join(const real R[9], const real p[3], real T[16]) {
   T[15] = 1;
 }
 
-/* y = R x, and y = R^T x; y may be x. */
-static inline void rotate(const real R[9], const real x[3], real y[3]) {
-  real v[3] = {dot(R, x), dot(R + 3, x), dot(R + 6, x)};
-  copy(v, 3, y);
-}
-
-static inline void rotate_back(const real R[9], const real x[3], real y[3]) {
-  real v[3];
-  for (int i = 0; i < 3; i++) v[i] = R[i] * x[0] + R[3 + i] * x[1] + R[6 + i] * x[2];
-  copy(v, 3, y);
-}
-
 #endif

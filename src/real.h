@@ -10,17 +10,16 @@
 #include <math.h>
 #include <stddef.h>
 
-#if defined(__FAST_MATH__)
-#error "chasles needs IEEE arithmetic: compile it without -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "chasles needs IEEE arithmetic: compile it without -ffast-math or -ffinite-math-only"
 #endif
 #if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "chasles needs operations rounded to their own type: on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
 
-/* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here. The
- * second option spares a call into libm, and with it errno, for the square root of a negative number. */
+/* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here. */
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("fp-contract=off", "no-math-errno")
+#pragma GCC optimize("fp-contract=off")
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif

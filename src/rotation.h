@@ -147,4 +147,13 @@ static inline void rotation_vector_of(const quaternion *q, real n, real w[3], re
   *k = (whole + rest) * q->w;
 }
 
+/* The rotation vector of a matrix that has been checked, k as above, and CHS_OK or CHS_HALF_TURN. */
+static inline int logarithm(const real R[9], real w[3], real *k) {
+  quaternion q = quaternion_of(R);
+  real n = SQRT(dot(q.v, q.v));
+  settle_half_turn(&q, 0, n);
+  rotation_vector_of(&q, n, w, k);
+  return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+}
+
 #endif

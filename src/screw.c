@@ -14,6 +14,8 @@ int FN(chs_screw_from_pose)(const real T[16], screw *out) {
   settle_half_turn(&q, 0, n);
   screw s;
   if (n == 0 || !screw_of_rotation(&q, n, origin, p, &s)) {
+    /* No rotation to the format, or one whose axis lies beyond the format's range. */
+    if (n > EPS * q.w) return CHS_ERR_OVERFLOW;
     status = screw_of_translation(p, &s);
     if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
   } else if (q.w <= EPS * n)

@@ -21,23 +21,19 @@ void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
   real RA[9], pA[3], RB[9], pB[3], R[9], p[3];
   part(A, RA, pA);
   part(B, RB, pB);
-  for (int i = 0; i < 3; i++) {
-    const real *a = RA + 3 * i;
-    for (int j = 0; j < 3; j++) R[3 * i + j] = a[0] * RB[j] + a[1] * RB[3 + j] + a[2] * RB[6 + j];
-    p[i] = dot(a, pB) + pA[i];
-  }
+  multiply(RA, RB, R);
+  rotate(RA, pB, p);
+  for (int i = 0; i < 3; i++) p[i] += pA[i];
   join(R, p, C);
 }
 
 void FN(chs_se3_inverse)(const real A[16], real B[16]) {
-  real R[9], p[3], q[3], transposed[9];
+  real R[9], p[3];
   part(A, R, p);
-  rotate_back(R, p, q);
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) transposed[3 * i + j] = R[3 * j + i];
-    q[i] = -q[i];
-  }
-  join(transposed, q, B);
+  rotate_back(R, p, p);
+  for (int i = 0; i < 3; i++) p[i] = -p[i];
+  transpose(R, R);
+  join(R, p, B);
 }
 
 void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) {
@@ -67,17 +63,14 @@ int FN(chs_se3_log)(const real T[16], real V[6]) {
   part(T, R, p);
   int status = first_error(check_rotation(R), finiteness(p, 3));
   if (status != CHS_OK) return status;
-  quaternion q = quaternion_of(R);
-  real n = SQRT(dot(q.v, q.v));
-  settle_half_turn(&q, 0, n);
-  rotation_vector_of(&q, n, w, &k);
+  status = logarithm(R, w, &k);
   real d = cotangent_ratio(k, dot(w, w)) * dot(w, p);
   cross(w, p, wxp);
   for (int i = 0; i < 3; i++) v[i] = k * p[i] + (d * w[i] - K(0.5) * wxp[i]);
   if (!all_finite(v, 3)) return CHS_ERR_OVERFLOW;
   copy(w, 3, V);
   copy(v, 3, V + 3);
-  return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+  return status;
 }
 
 /* Writes a 3x3 block of a 6x6 matrix. */

@@ -14,8 +14,8 @@ void FN(chs_so3_hat)(const real w[3], real W[9]) {
   W[7] = x;
 }
 
-/* (a - b) / 2, exactly a where b = -a, without overflow there. */
-static real half_difference(real a, real b) { return a + K(0.5) * (-b - a); }
+/* (a - b) / 2, exactly a where b = -a, without overflow. */
+static real half_difference(real a, real b) { return a == -b ? a : K(0.5) * a - K(0.5) * b; }
 
 void FN(chs_so3_vee)(const real W[9], real w[3]) {
   real x = half_difference(W[7], W[5]), y = half_difference(W[2], W[6]), z = half_difference(W[3], W[1]);
@@ -34,12 +34,8 @@ int FN(chs_so3_exp)(const real w[3], real R[9]) {
 
 int FN(chs_so3_log)(const real R[9], real w[3]) {
   int status = check_rotation(R);
-  if (status != CHS_OK) return status;
-  quaternion q = quaternion_of(R);
-  real n = SQRT(dot(q.v, q.v)), k;
-  settle_half_turn(&q, 0, n);
-  rotation_vector_of(&q, n, w, &k);
-  return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+  real k;
+  return status == CHS_OK ? logarithm(R, w, &k) : status;
 }
 
 /* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. On the diagonal the smaller
@@ -90,32 +86,15 @@ int FN(chs_so3_left_jacobian_inverse)(const real w[3], real J[9]) { return jacob
 
 int FN(chs_so3_right_jacobian_inverse)(const real w[3], real J[9]) { return jacobian_inverse(w, K(-1.0), J); }
 
-void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) {
-  real product[9];
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++)
-      product[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
-  copy(product, 9, C);
-}
+void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) { multiply(A, B, C); }
 
-void FN(chs_so3_transpose)(const real A[9], real B[9]) {
-  real a[9];
-  copy(A, 9, a);
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) B[3 * i + j] = a[3 * j + i];
-}
+void FN(chs_so3_transpose)(const real A[9], real B[9]) { transpose(A, B); }
 
-void FN(chs_so3_apply)(const real R[9], const real x[3], real y[3]) {
-  real a = dot(R, x), b = dot(R + 3, x), c = dot(R + 6, x);
-  y[0] = a;
-  y[1] = b;
-  y[2] = c;
-}
+void FN(chs_so3_apply)(const real R[9], const real x[3], real y[3]) { rotate(R, x, y); }
 
 int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
-  int status = check_rotation(A);
-  int other = check_rotation(B);
-  if (status != CHS_OK || other != CHS_OK) return first_error(status, other);
+  int status = first_error(check_rotation(A), check_rotation(B));
+  if (status != CHS_OK) return status;
   /* Twice the sine's axis is sum a_k x b_k = sum a_k x (b_k - a_k), k the columns: differences keep small angles
    * exact. */
   real s[3] = {0, 0, 0}, trace = 0;
@@ -179,11 +158,11 @@ int FN(chs_so3_nearest)(const real M[9], real R[9], real *distance) {
       X[i] = x + c;
     }
   }
-  if (distance) {
-    real difference[9];
-    for (int i = 0; i < 9; i++) difference[i] = M[i] - X[i];
-    *distance = norm(difference, 9);
-  }
+  real difference[9];
+  for (int i = 0; i < 9; i++) difference[i] = M[i] - X[i];
+  real d = norm(difference, 9);
+  if (!is_finite(d)) return CHS_ERR_OVERFLOW;
+  if (distance) *distance = d;
   copy(X, 9, R);
   return CHS_OK;
 }

@@ -61,14 +61,24 @@ int FN(chs_tilt_to_rotation)(real azimuth, real tilt, real torsion, real R[9]) {
   return CHS_OK;
 }
 
+/* An angle of at most 3 pi brought into [-pi, pi]. */
+static real wrapped(real angle) {
+  real turn = K(2.0) * CHS_PI_A;
+  return angle > CHS_PI_A ? angle - turn : angle < -CHS_PI_A ? angle + turn : angle;
+}
+
 int FN(chs_tilt_from_rotation)(const real R[9], real *azimuth, real *tilt, real *torsion) {
   int status = check_rotation(R);
   if (status != CHS_OK) return status;
   real axis[2] = {R[2], R[5]}, sine = norm(axis, 2), cosine = R[8];
   real turned = R[3] - R[1], straight = R[0] + R[4];
-  if (sine > 0 && (turned != 0 || straight != 0)) {
-    *azimuth = signed_angle_of(axis[1], axis[0]);
-    *torsion = signed_angle_of(turned, straight);
+  if (sine > 0) {
+    /* Near a tilt of pi turned and straight drown in rounding, of size 1 + cos(tilt); 2 azimuth - torsion does not. */
+    int far = cosine < 0 && ABS(turned) + ABS(straight) <= K(0.015625);
+    real phi = signed_angle_of(axis[1], axis[0]);
+    *torsion =
+        far ? wrapped(K(2.0) * phi - signed_angle_of(-(R[1] + R[3]), R[4] - R[0])) : signed_angle_of(turned, straight);
+    *azimuth = phi;
     *tilt = FN(chs_p_angle_of)(sine, cosine);
     return CHS_OK;
   }

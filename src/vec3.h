@@ -1,4 +1,5 @@
-/* Vectors of three, norms that neither overflow nor underflow, and what kind of bad number an input holds. */
+/* Vectors of three, 3x3 matrices, norms that neither overflow nor underflow, and what kind of bad number an input
+ * holds. */
 #ifndef CHASLES_VEC3_H
 #define CHASLES_VEC3_H
 
@@ -23,6 +24,33 @@ static inline void subtract(const real a[3], const real b[3], real c[3]) {
 
 static inline void copy(const real *from, int n, real *to) {
   for (int i = 0; i < n; i++) to[i] = from[i];
+}
+
+/* y = R x, and y = R^T x; y may be x. */
+static inline void rotate(const real R[9], const real x[3], real y[3]) {
+  real v[3] = {dot(R, x), dot(R + 3, x), dot(R + 6, x)};
+  copy(v, 3, y);
+}
+
+static inline void rotate_back(const real R[9], const real x[3], real y[3]) {
+  real v[3];
+  for (int i = 0; i < 3; i++) v[i] = R[i] * x[0] + R[3 + i] * x[1] + R[6 + i] * x[2];
+  copy(v, 3, y);
+}
+
+/* C = A B and B = A^T; the result may overlap the inputs. */
+static inline void multiply(const real A[9], const real B[9], real C[9]) {
+  real c[9];
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) c[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+  copy(c, 9, C);
+}
+
+static inline void transpose(const real A[9], real B[9]) {
+  real b[9];
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++) b[3 * i + j] = A[3 * j + i];
+  copy(b, 9, B);
 }
 
 static inline real largest(const real *v, int n) {

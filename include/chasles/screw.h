@@ -33,12 +33,12 @@ typedef struct chs_screwf {
  *
  *   T      a pose whose rotation is one to within CHS_SO3_FAR, read as by chs_so3_log.
  *   screw  at a half-turn the first non-zero component of e is positive. A pure translation has e along p, u = |p|,
- *          A = 0, theta = 0; the identity has e along z. A rotation so small that its axis lies beyond the format's
+ *          A = 0, theta = 0; the identity has e along z. A rotation below eps whose axis lies beyond the format's
  *          range counts as none.
  *
  * The errors: the axis absolutely; the angle relative to itself; the translation relative to |p|; the point relative to
  * |p|/(2 sin(theta/2)), the distance at which the axis lies.
- * Returns CHS_OK; CHS_HALF_TURN as chs_so3_log; CHS_PURE_TRANSLATION; CHS_NO_MOTION; CHS_ERR_OVERFLOW where |p| is
+ * Returns CHS_OK; CHS_HALF_TURN as chs_so3_log; CHS_PURE_TRANSLATION; CHS_NO_MOTION; CHS_ERR_OVERFLOW where |p| or A is
  * beyond the format; and what CHS_SO3_FAR says, for p as well. */
 #define CHS_EPS_SCREW_FROM_POSE_AXIS 2.0
 #define CHS_EPS_SCREW_FROM_POSE_POINT 6.0

@@ -45,7 +45,7 @@ void chs_se3_applyf(const float T[16], const float x[3], float y[3]);
  * V = S theta it is the exponential of Lynch & Park and of Murray, Li & Sastry, G(theta) v of the product of
  * exponentials.
  *
- *   V  (omega; v): omega as for chs_so3_exp, v any finite vector short of the format's last three powers of two.
+ *   V  (omega; v): omega as for chs_so3_exp, v any vector for which |omega| |v| is within the format.
  *   T  the pose; V = 0 gives the identity exactly.
  *
  * The error of the rotation counts as for chs_so3_exp; that of the translation is relative to |p| up to theta = pi and

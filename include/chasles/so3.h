@@ -133,7 +133,7 @@ int chs_so3_anglef(const float A[9], const float B[9], float *angle);
  * With singular values s1 >= s2 >= s3 of M, the error of R is relative to the condition number 2 s1/(s2 + s3), which is
  * 1 for a rotation; that of the distance to |M| + |R|.
  * Returns CHS_OK; CHS_ERR_NAN; CHS_ERR_INFINITE; CHS_ERR_REFLECTION where det M < 0; CHS_ERR_SINGULAR where the rank is
- * less than 2 to within rounding. */
+ * less than 2 to within rounding; CHS_ERR_OVERFLOW where the distance is beyond the format. */
 #define CHS_EPS_SO3_NEAREST_ROTATION 3.0
 #define CHS_EPS_SO3_NEAREST_DISTANCE 4.0
 int chs_so3_nearest(const double M[9], double R[9], double *distance);

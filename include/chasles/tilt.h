@@ -49,9 +49,12 @@ int chs_tilt_to_rotationf(float azimuth, float tilt, float torsion, float R[9]);
  *   R                 a rotation to within CHS_SO3_FAR.
  *   azimuth, torsion  in [-pi, pi], with atan2's signs of zeros; tilt in [0, pi].
  *
- * The errors are relative to each angle. At tilt 0 the azimuth is undefined and is 0 (CHS_AZIMUTH_UNDEFINED). At tilt
- * pi only 2 azimuth - torsion is defined; the torsion is 0 (CHS_TORSION_UNDEFINED).
- * Returns CHS_OK, these two, and what CHS_SO3_FAR says. */
+ * Near a tilt of pi, where |r21 - r12| + |r11 + r22| <= 1/64 and rounding drowns them, the torsion is 2 azimuth -
+ * atan2(-(r12 + r21), r22 - r11), brought into [-pi, pi].
+ *
+ * The errors are relative to each angle, near a tilt of pi that of the torsion to 2 pi. At tilt 0 the azimuth is
+ * undefined and is 0 (CHS_AZIMUTH_UNDEFINED). At tilt pi only 2 azimuth - torsion is defined; the torsion is 0
+ * (CHS_TORSION_UNDEFINED). Returns CHS_OK, these two, and what CHS_SO3_FAR says. */
 #define CHS_EPS_TILT_FROM_ROTATION_AZIMUTH 2.0
 #define CHS_EPS_TILT_FROM_ROTATION_TILT 2.0
 #define CHS_EPS_TILT_FROM_ROTATION_TORSION 2.0

@@ -31,7 +31,7 @@ line 2 '1,0,,,,,,,,,,,"missing: A"'
 line 3 '2,0.5,,,,,,,,,,,"reference"'
 line 4 '3,1,,,,,,,,,,,"missing: B"'
 near 5 1.5707963267948966
-err_is 'A, B, C by bottema-roth: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
+err_is 'A, B, C by laub-shiflett: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
 sed -n 7p out | grep -q '^6,2.5,2,,,,,,,,,-10,"' || fail "frame 6 should be in error"
 
 run 1 solve --markers A,B,C --out - --method laub-shiflett --against previous --degrees trial.csv
@@ -40,7 +40,7 @@ near 6 90
 sed -n 6p out | grep -q '^5,2,4,90' || fail "frame 5 should be measured against frame 4"
 
 run 1 solve --markers A,B,C --against 4 --out screws.csv trial.csv
-out_has 'A, B, C by bottema-roth: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
+out_has 'A, B, C by laub-shiflett: 6 frames, 2 solved, 2 with a marker missing, 1 in error'
 cp screws.csv out
 near 6 1.5707963267948966
 line 5 '4,1.5,,,,,,,,,,,"reference"'

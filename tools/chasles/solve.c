@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "commands.h"
 #include "markers.h"
@@ -25,7 +26,8 @@ const char solve_help[] =
     "  --markers A,B,C    the three markers of the body (default: the first three of the file)\n"
     "  --against FRAME    the reference: 'first', the first frame with all three markers; 'previous', the last frame\n"
     "                     before that had all three; or the number of a frame, from 1 (default: first)\n"
-    "  --method NAME      bottema-roth or laub-shiflett (default: bottema-roth)\n"
+    "  --method NAME      bottema-roth or laub-shiflett (default: laub-shiflett, which measuring\n"
+    "                     errors disturb less; bottema-roth is the faster)\n"
     "  --tolerance X      largest change of a side of the triangle, as a part of its longest side, that still counts\n"
     "                     as rigid (default: 0.05, since markers on skin shift by a few percent of their distances;\n"
     "                     a mistaken marker changes them by far more)\n"
@@ -40,7 +42,7 @@ const char solve_help[] =
     "\n"
     "examples:\n"
     "  chasles solve --markers Arm1,Arm2,Arm3 trial.csv\n"
-    "  chasles solve --against previous --method laub-shiflett --out screws.csv trial.csv\n";
+    "  chasles solve --against previous --method bottema-roth --out screws.csv trial.csv\n";
 
 typedef int method_function(const double *initial, const double *final, double tolerance, chs_screw *screw, double *T);
 
@@ -50,8 +52,8 @@ struct method {
 };
 
 static const struct method methods[] = {
-    {"bottema-roth", chs_motion_bottema_roth},
     {"laub-shiflett", chs_motion_laub_shiflett},
+    {"bottema-roth", chs_motion_bottema_roth},
 };
 
 enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
@@ -356,9 +358,18 @@ static bool find_reference(struct run *run) {
   return run->has_reference;
 }
 
+static bool is_same_file(FILE *file, const char *name) {
+  struct stat a, b;
+  return fstat(fileno(file), &a) == 0 && stat(name, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
+
 static bool open_output(struct run *run) {
   const char *out = run->options->out;
   if (out == NULL) return true;
+  if (strcmp(out, "-") != 0 && is_same_file(run->markers.text.file, out)) {
+    complain("--out %s is the input itself", out);
+    return false;
+  }
   run->csv = strcmp(out, "-") == 0 ? stdout : output_open(out);
   return run->csv != NULL;
 }

@@ -1,6 +1,6 @@
 """tilt.h: tilt and torsion, and the rotational error of an axisymmetric tool."""
 
-from mpmath import atan2, cos, hypot, mpf, pi
+from mpmath import atan2, cos, hypot, mpf, nint, pi
 
 import cases_so3
 import exact
@@ -118,8 +118,15 @@ def evaluate_from_rotation(fmt, R):
             if s == 0 and c < 0:
                 raise Unclear  # psi is pi or -pi
             azimuth, torsion, statuses = atan2(s, c) / 2, mpf(0), (6,)
-    elif R[3] == R[1] and R[0] + R[4] == 0:
-        raise Unclear  # no torsion in these entries
+    elif R[8] < 0 and abs(R[3] - R[1]) + abs(R[0] + R[4]) < mpf(1) / 16:
+        # Near a tilt of pi the torsion comes from psi; the library changes over at 1/64.
+        if abs(R[3] - R[1]) + abs(R[0] + R[4]) > mpf(1) / 256:
+            raise Unclear
+        torsion = 2 * azimuth - atan2(-(R[1] + R[3]), R[4] - R[0])
+        torsion -= 2 * pi * nint(torsion / (2 * pi))
+        if pi - abs(torsion) < 16 * fmt.eps:
+            raise Unclear  # pi or -pi
+        return Result([azimuth, tilt, torsion], [abs(azimuth), tilt, 2 * pi], statuses)
     return Result([azimuth, tilt, torsion], [abs(azimuth), tilt, abs(torsion)], statuses)
 
 
