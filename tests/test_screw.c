@@ -285,6 +285,12 @@ static void test_lengths_beyond_the_range_are_an_overflow(void) {
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, T, FN(chs_screw_to_pose)(&far, T));
   pose_of(identity3, REAL_MAX, REAL_MAX, 0, T);
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, s, FN(chs_screw_from_pose)(T, &s));
+
+  /* A rotation that is no rounding, about an axis that is out of reach. */
+  real w[3] = {0, 0, K(0.01)}, R[9];
+  FN(chs_so3_exp)(w, R);
+  pose_of(R, REAL_MAX / 2, 0, 0, T);
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, s, FN(chs_screw_from_pose)(T, &s));
 }
 
 static void test_pitch_is_translation_over_angle(void) {

@@ -639,6 +639,12 @@ static void test_deviation_beyond_the_range_is_an_overflow(void) {
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, deviation, FN(chs_so3_deviation)(huge, &deviation));
 }
 
+static void test_a_nearest_rotation_at_a_distance_beyond_the_range_is_an_overflow(void) {
+  const real huge[9] = {REAL_MAX, 0, 0, 0, REAL_MAX, 0, 0, 0, REAL_MAX};
+  real distance, R[9];
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, distance, FN(chs_so3_nearest)(huge, R, &distance));
+}
+
 static void test_check_compares_the_deviation_with_the_tolerance(void) {
   for (int k = 0; k < CASES; k++) {
     real R[9], deviation;
@@ -702,6 +708,7 @@ int main(void) {
   RUN_TEST(test_nearest_is_the_same_without_the_distance);
   RUN_TEST(test_nearest_refuses_reflections_and_what_has_no_single_nearest_rotation);
   RUN_TEST(test_deviation_is_the_largest_of_the_defects);
+  RUN_TEST(test_a_nearest_rotation_at_a_distance_beyond_the_range_is_an_overflow);
   RUN_TEST(test_deviation_beyond_the_range_is_an_overflow);
   RUN_TEST(test_check_compares_the_deviation_with_the_tolerance);
   RUN_TEST(test_check_calls_a_reflection_so_whatever_the_tolerance);

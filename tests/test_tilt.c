@@ -223,6 +223,23 @@ static void test_tiny_errors_are_resolved_at_any_orientation(void) {
   }
 }
 
+static void test_angles_near_a_tilt_of_pi_give_the_orientation_back(void) {
+  for (int k = 0; k < CASES; k++) {
+    real R[9], again[9], azimuth, tilt, torsion;
+    double short_of_pi = log_uniform(PICK(1e-15, 1e-6), 0.5);
+    ASSERT_STATUS(
+        CHS_OK, FN(chs_tilt_to_rotation)((real)uniform(-PI, PI), (real)(PI - short_of_pi), (real)uniform(-PI, PI), R));
+    if (R[2] == 0 && R[5] == 0) continue;
+    ASSERT_STATUS(CHS_OK, FN(chs_tilt_from_rotation)(R, &azimuth, &tilt, &torsion));
+    FN(chs_tilt_to_rotation)(azimuth, tilt, torsion, again);
+    /* Each angle's error turns R; the torsion's is relative to 2 pi, and just before the change-over, at 1/64, the
+     * small sine and cosine that give it carry the rounding of R's entries, 64 times as large. */
+    double promise = CHS_EPS_TILT_TO_ROTATION + PI * CHS_EPS_TILT_FROM_ROTATION_TILT +
+                     2 * PI * (CHS_EPS_TILT_FROM_ROTATION_AZIMUTH + CHS_EPS_TILT_FROM_ROTATION_TORSION);
+    ASSERT_ENTRIES_WITHIN_EPS(R, again, 9, promise + 64 * CHS_EPS_TILT_TO_ROTATION, 1);
+  }
+}
+
 static void test_opposite_tools_have_no_torsion(void) {
   const real upside_down[9] = {-1, 0, 0, 0, 1, 0, 0, 0, -1}, zero = 0;
   for (int k = 0; k < CUBE_ROTATIONS; k++) {
@@ -320,6 +337,7 @@ int main(void) {
   RUN_TEST(test_error_against_the_identity_is_tilt_and_torsion);
   RUN_TEST(test_tiny_errors_are_resolved_to_their_own_size);
   RUN_TEST(test_tiny_errors_are_resolved_at_any_orientation);
+  RUN_TEST(test_angles_near_a_tilt_of_pi_give_the_orientation_back);
   RUN_TEST(test_opposite_tools_have_no_torsion);
   RUN_TEST(test_error_is_symmetric);
   RUN_TEST(test_error_is_the_same_in_every_frame);

@@ -45,6 +45,12 @@ cp screws.csv out
 near 6 1.5707963267948966
 line 5 '4,1.5,,,,,,,,,,,"reference"'
 
+# The input is never overwritten.
+cp trial.csv kept.csv
+run 2 solve --markers A,B,C --out ./trial.csv trial.csv
+err_is 'chasles: --out ./trial.csv is the input itself'
+cmp -s trial.csv kept.csv || fail "trial.csv was overwritten"
+
 # The table, and the same numbers from a file of another style.
 run 1 solve --markers A,B,C trial.csv
 out_has ' frame     time_s   from  angle_deg   axis_x   axis_y   axis_z   point_x_m '
