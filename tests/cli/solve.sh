@@ -45,6 +45,10 @@ cp screws.csv out
 near 6 1.5707963267948966
 line 5 '4,1.5,,,,,,,,,,,"reference"'
 
+# A list as people write it.
+run 1 solve --markers 'A, B, C' trial.csv
+out_has 'A, B, C by laub-shiflett: 6 frames, 2 solved'
+
 # The input is never overwritten.
 cp trial.csv kept.csv
 run 2 solve --markers A,B,C --out ./trial.csv trial.csv

@@ -109,6 +109,7 @@ static bool unknown_marker(const struct markers *markers, const char *name, size
 
 static bool choose_named(struct run *run, const char *names) {
   for (int i = 0; i < 3; ++i) {
+    names += strspn(names, " ");
     const size_t length = strcspn(names, ",");
     run->chosen[i] = markers_find(&run->markers, names, length);
     if (run->chosen[i] < 0) return unknown_marker(&run->markers, names, length);
