@@ -45,6 +45,7 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
   FN(chs_p_sin_cos)(K(0.5) * theta, K(0.5) * theta_lo, &sine, &half->c);
   real s = sine / (K(0.5) * theta);
   half->s = s - s * (theta_lo / theta);
+  half->s_lo = half->c_lo = 0;
   half->tt = tt.hi;
   return CHS_OK;
 }

@@ -16,19 +16,21 @@
 /* Half the rotation angle of a rotation vector w, theta = |w|. Where the angle was reduced modulo 2 pi, s and c may
  * both carry the other sign: only s c, s s, c c and c / s are meant to be used. */
 typedef struct half_angle {
-  real s;  /* sin(theta/2) / (theta/2) */
-  real c;  /* cos(theta/2) */
-  real tt; /* theta^2 */
+  real s, s_lo; /* sin(theta/2) / (theta/2), and what rounding took from it */
+  real c, c_lo; /* cos(theta/2), likewise */
+  real tt;      /* theta^2 */
 } half_angle;
 
 /* Both are good for h = x^2 up to a little above (pi/2)^2. */
-static inline real sinc_kernel(real h) { return CHS_SINC(h); }
+static inline real sinc_kernel(real h) { return K(1.0) + h * CHS_SINC_REST(h); }
 
-/* 1 - h/2 with its rounding error, then the rest: half an eps at the end where cos is near 0. */
-static inline real cos_kernel(real h) {
+/* cos(x) less its head, 1 - h/2 rounded: half an eps at the end where cos is near 0. */
+static inline real cos_rest(real h) {
   real half = K(0.5) * h, head = K(1.0) - half;
-  return head + (((K(1.0) - head) - half) + (h * h) * CHS_COS_REST(h));
+  return ((K(1.0) - head) - half) + (h * h) * CHS_COS_REST(h);
 }
+
+static inline real cos_kernel(real h) { return (K(1.0) - K(0.5) * h) + cos_rest(h); }
 
 /* (theta - sin theta) / theta^3 for tt = theta^2 up to a little above pi^2. */
 static inline real cubic_kernel(real tt) { return CHS_CUBIC(tt); }
@@ -46,8 +48,11 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half);
 static inline int half_angle_of(const real w[3], half_angle *half) {
   real tt = squared_norm(w);
   if (!(tt <= CHS_PI_A * CHS_PI_A)) return FN(chs_p_half_angle_beyond_pi)(w, half);
-  half->s = sinc_kernel(K(0.25) * tt);
-  half->c = cos_kernel(K(0.25) * tt);
+  real h = K(0.25) * tt, s_rest = h * CHS_SINC_REST(h), c_head = K(1.0) - K(0.5) * h, c_rest = cos_rest(h);
+  half->s = K(1.0) + s_rest;
+  half->s_lo = (K(1.0) - half->s) + s_rest;
+  half->c = c_head + c_rest;
+  half->c_lo = (c_head - half->c) + c_rest;
   half->tt = tt;
   return CHS_OK;
 }

@@ -5,10 +5,9 @@
 
 /* clang-format off */
 #ifndef CHS_SINGLE
-/* sin(sqrt h) / sqrt h = CHS_SINC(h)
+/* sin(sqrt h) / sqrt h = 1 + h CHS_SINC_REST(h)
    on [0, 2.4699], relative error 0.0013 eps */
-#define CHS_SINC(h) \
-  (0x1p+0 + (h) * \
+#define CHS_SINC_REST(h) \
   (-0x1.5555555555555p-3 + (h) * \
   (0x1.11111111110c8p-7 + (h) * \
   (-0x1.a01a01a014d6fp-13 + (h) * \
@@ -16,7 +15,7 @@
   (-0x1.ae6454d47422bp-26 + (h) * \
   (0x1.6123cd0727932p-33 + (h) * \
   (-0x1.ae438468a36c3p-41 + (h) * \
-  0x1.8832a74d6861bp-49))))))))
+  0x1.8832a74d6861bp-49)))))))
 /* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
    on [0, 2.4699], absolute error 0.026 eps */
 #define CHS_COS_REST(h) \
@@ -64,15 +63,14 @@
 #define CHS_QUARTER_PI_A 0x1.921fb54442d18p-1
 #define CHS_QUARTER_PI_B 0x1.1a62633145c07p-55
 #else
-/* sin(sqrt h) / sqrt h = CHS_SINC(h)
+/* sin(sqrt h) / sqrt h = 1 + h CHS_SINC_REST(h)
    on [0, 2.4699], relative error 0.0038 eps */
-#define CHS_SINC(h) \
-  (0x1p+0F + (h) * \
+#define CHS_SINC_REST(h) \
   (-0x1.555556p-3F + (h) * \
   (0x1.111136p-7F + (h) * \
   (-0x1.a023ccp-13F + (h) * \
   (0x1.72cddcp-19F + (h) * \
-  -0x1.b624aap-26F)))))
+  -0x1.b624aap-26F))))
 /* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
    on [0, 2.4699], absolute error 0.0036 eps */
 #define CHS_COS_REST(h) \

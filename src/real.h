@@ -17,9 +17,10 @@
 #error "chasles needs operations rounded to their own type: on 32-bit x86 use -msse2 -mfpmath=sse"
 #endif
 
-/* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here. */
+/* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here; and its
+ * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results whatever it is told. */
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif

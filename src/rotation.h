@@ -89,6 +89,9 @@ static inline quaternion quaternion_of(const real R[9]) {
   return q;
 }
 
+/* A sine times a component of a unit vector, which rounding may have made larger than 1. */
+static inline real within_one(real x) { return x > 1 ? K(1.0) : x < -1 ? K(-1.0) : x; }
+
 /* R = cos(theta) I + a [w] + b w w^T with a = sin(theta)/|w|, b = (1 - cos(theta))/|w|^2. A diagonal entry is 1 less
  * what the other two axes take away; where the cosine is below the limit given, it is cos(theta) plus its own axis'
  * share if that is the smaller. R may be w: all of w is read before R is written. */
@@ -96,7 +99,7 @@ static inline void rotation_from(const real w[3], real a, real b, real cosine, r
   real bx = b * w[0], by = b * w[1], bz = b * w[2];
   real xx = bx * w[0], yy = by * w[1], zz = bz * w[2];
   real xy = bx * w[1], xz = bx * w[2], yz = by * w[2];
-  real ax = a * w[0], ay = a * w[1], az = a * w[2];
+  real ax = within_one(a * w[0]), ay = within_one(a * w[1]), az = within_one(a * w[2]);
   real middle = cosine < below ? K(0.5) * (K(1.0) - cosine) : K(0.0);
   R[0] = xx < middle ? cosine + xx : K(1.0) - (yy + zz);
   R[4] = yy < middle ? cosine + yy : K(1.0) - (xx + zz);
@@ -110,11 +113,14 @@ static inline void rotation_from(const real w[3], real a, real b, real cosine, r
 }
 
 /* sin(theta)/theta and (1 - cos(theta))/theta^2; the second from the cosine where that is the smaller half. */
-static inline real sine_ratio(half_angle h) { return h.s * h.c; }
+static inline real sine_ratio(half_angle h) { return h.s * h.c + (h.s * h.c_lo + h.s_lo * h.c); }
+
+/* cos(theta/2)^2 */
+static inline real squared_cosine(half_angle h) { return h.c * h.c + K(2.0) * (h.c * h.c_lo); }
 
 static inline real cosine_ratio(half_angle h) {
-  real cc = h.c * h.c;
-  return cc < K(0.5) ? K(2.0) * (K(1.0) - cc) / h.tt : K(0.5) * (h.s * h.s);
+  real cc = squared_cosine(h);
+  return cc < K(0.5) ? K(2.0) * (K(1.0) - cc) / h.tt : K(0.5) * (h.s * h.s + K(2.0) * (h.s * h.s_lo));
 }
 
 /* (theta - sin(theta))/theta^3 */
@@ -128,7 +134,7 @@ static inline real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) /
 /* A reduced angle gives a less exact b, which the cosine spares the sooner. */
 static inline void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
   real below = h.tt <= CHS_PI_A * CHS_PI_A ? K(0.0) : K(0.25);
-  rotation_from(w, sine_ratio(h), cosine_ratio(h), K(2.0) * (h.c * h.c) - K(1.0), below, R);
+  rotation_from(w, sine_ratio(h), cosine_ratio(h), K(2.0) * squared_cosine(h) - K(1.0), below, R);
 }
 
 /* The rotation of a quaternion of squared length nn. */

@@ -51,7 +51,7 @@ void chs_se3_applyf(const float T[16], const float x[3], float y[3]);
  * The error of the rotation counts as for chs_so3_exp; that of the translation is relative to |p| up to theta = pi and
  * to |v| beyond, where p itself may vanish.
  * Returns as chs_so3_exp, and CHS_ERR_OVERFLOW. */
-#define CHS_EPS_SE3_EXP_ROTATION 2.5
+#define CHS_EPS_SE3_EXP_ROTATION 2.0
 #define CHS_EPS_SE3_EXP_ROTATION_BEYOND 4.0
 #define CHS_EPS_SE3_EXP_TRANSLATION 4.0
 #define CHS_EPS_SE3_EXP_TRANSLATION_BEYOND 5.0

@@ -45,7 +45,7 @@ void chs_so3_veef(const float W[9], float w[3]);
  * 1e-300 keeps all its digits. Above pi (BEYOND) it is that of the exact exponential of the given w: the angle is
  * computed and reduced in twice the format's precision.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE. */
-#define CHS_EPS_SO3_EXP 2.5
+#define CHS_EPS_SO3_EXP 2.0
 #define CHS_EPS_SO3_EXP_BEYOND 4.0
 int chs_so3_exp(const double w[3], double R[9]);
 int chs_so3_expf(const float w[3], float R[9]);

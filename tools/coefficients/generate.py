@@ -49,7 +49,7 @@ def arctangent(u):
 SLACK = mpf("1.001")
 KERNELS = [
     # macro, function and its form (P is the macro), top, weight, pinned, degrees in double and float, coefficients left out
-    ("SINC", sinc, "P", SLACK * (pi / 2) ** 2, "relative", [mpf(1)], 8, 5, 0),
+    ("SINC_REST", sinc, "1 + h P", SLACK * (pi / 2) ** 2, "relative", [mpf(1)], 8, 5, 1),
     ("COS_REST", cosine, "1 - h/2 + h^2 P", SLACK * (pi / 2) ** 2, "absolute", [mpf(1), mpf(-1) / 2], 8, 5, 2),
     ("CUBIC", cubic, "P", SLACK * pi**2, "relative", [], 9, 6, 0),
     ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 13, 6, 1),
