@@ -9,6 +9,14 @@ const char *chs_status_text(int status) {
   case CHS_ILL_CONDITIONED: return "ill-conditioned: more than half of the digits are lost";
   case CHS_AZIMUTH_UNDEFINED: return "no tilt: the azimuth is undefined";
   case CHS_TORSION_UNDEFINED: return "tilt of pi: the torsion is undefined";
+  case CHS_POINTS_MISSING: return "some points are missing: the result is that of the others";
+  case CHS_PARALLEL: return "the lines are parallel: the place of their common perpendicular is a convention";
+  case CHS_COINCIDENT: return "the lines coincide: their common perpendicular is a convention";
+  case CHS_INTERSECTING: return "the lines meet: the sense of their common perpendicular is a convention";
+  case CHS_ITERATION_LIMIT: return "not converged in the steps allowed";
+  case CHS_AT_JOINT_LIMIT: return "a joint is held at its limit";
+  case CHS_NEAR_SINGULAR: return "near a singular configuration: the answer is damped";
+  case CHS_SELF_MOTION: return "a joint turns freely: its angle is a convention";
   case CHS_ERR_NAN: return "an input is not a number";
   case CHS_ERR_INFINITE: return "an input is infinite";
   case CHS_ERR_OVERFLOW: return "the result is beyond the range of the format";
@@ -19,6 +27,9 @@ const char *chs_status_text(int status) {
   case CHS_ERR_COINCIDENT: return "two points coincide";
   case CHS_ERR_COLLINEAR: return "the points lie on a line";
   case CHS_ERR_NOT_RIGID: return "the two triangles are not of the same shape";
+  case CHS_ERR_ARGUMENT: return "a count, an index, a weight or an option is outside its range";
+  case CHS_ERR_TOO_FEW_POINTS: return "fewer than three points are left";
+  case CHS_ERR_LOCKUP: return "the mechanism is locked up";
   default: return "unknown status";
   }
 }
