@@ -1,12 +1,10 @@
 #include <chasles/motion.h>
 
-#include "pose.h"
-#include "screw_private.h"
+#include "motion_private.h"
 
 /* The two triangles, their sides divided by a power of two near the longest side so that products of any degree fit. */
 typedef struct triangles {
-  real center[3];  /* centroid of the initial points */
-  real travel[3];  /* displacement of the centroid */
+  centroid at;
   real from[3][3]; /* from[k] and to[k]: the side opposite point k, in cyclic order, scaled */
   real to[3][3];
   real longest;   /* length of the longest initial side, scaled */
@@ -82,39 +80,10 @@ static int read_triangles(const real initial[9], const real final[9], real toler
     if (!(ABS(to_squared[k] - from_squared[k]) <= K(2.0) * tolerance * longest_squared)) return CHS_ERR_NOT_RIGID;
   t->longest = SQRT(longest_squared);
   for (int i = 0; i < 3; i++) {
-    t->center[i] = third_of(initial[i], initial[3 + i], initial[6 + i]);
-    t->travel[i] = third_of(final[i] - initial[i], final[3 + i] - initial[3 + i], final[6 + i] - initial[6 + i]);
+    t->at.center[i] = third_of(initial[i], initial[3 + i], initial[6 + i]);
+    t->at.travel[i] = third_of(final[i] - initial[i], final[3 + i] - initial[3 + i], final[6 + i] - initial[6 + i]);
   }
   return CHS_OK;
-}
-
-static int finish_translation(const triangles *t, screw *out, real T[16]) {
-  static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  screw s;
-  int status = screw_of_translation(t->travel, &s);
-  if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
-  if (out) *out = s;
-  if (T) join(identity, t->travel, T);
-  return status;
-}
-
-/* What both methods do once the rotation is known: the screw, the pose, and what is special about them. */
-static int finish(const triangles *t, quaternion *q, screw *out, real T[16]) {
-  real R[9], p[3], turned[3], vv = dot(q->v, q->v), n = SQRT(vv);
-  if (n == 0) return finish_translation(t, out, T);
-  real condition = t->longest * t->longest / t->doubled, zone = K(8.0) * EPS * condition;
-  int half_turn = q->w <= zone * n;
-  screw s;
-  settle_half_turn(q, zone, n);
-  rotation_from_quaternion(q, vv + q->w * q->w, R);
-  if (!screw_of_rotation(q, n, t->center, t->travel, &s)) return CHS_ERR_OVERFLOW;
-  rotate(R, t->center, turned);
-  for (int i = 0; i < 3; i++) p[i] = (t->center[i] - turned[i]) + t->travel[i];
-  if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
-  if (out) *out = s;
-  if (T) join(R, p, T);
-  if (condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
-  return half_turn ? CHS_HALF_TURN : CHS_OK;
 }
 
 /* Eq. 23 for the vectors x and y of the body, which became xf and yf: q = (v; w) proportional to (sin(theta/2) e;
@@ -158,7 +127,7 @@ int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real
   triangles t;
   int status = read_triangles(initial, final, tolerance, &t);
   if (status != CHS_OK) return status;
-  if (t.turned <= t.noise) return finish_translation(&t, out, T);
+  if (t.turned <= t.noise) return finish_translation(&t.at, out, T);
 
   /* The order of the points makes no difference to (v; w), but an axis parallel to their plane makes it 0/0 in any
    * order, and one along a thin triangle nearly so. Two sides and the normal of the plane are never all of one kind:
@@ -185,15 +154,15 @@ int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real
    * sides that changed their lengths rather than turned, by measuring errors, and would be those errors magnified. */
   real height = t.doubled / (t.longest * t.longest);
   if (most < K(0.1) * (t.turned * height) * (t.turned * height)) q = frame_quaternion(&t);
-  return finish(&t, &q, out, T);
+  return finish_rotation(&t.at, t.longest * t.longest / t.doubled, &q, out, T);
 }
 
 int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
   triangles t;
   int status = read_triangles(initial, final, tolerance, &t);
   if (status != CHS_OK) return status;
-  if (t.turned <= t.noise) return finish_translation(&t, out, T);
+  if (t.turned <= t.noise) return finish_translation(&t.at, out, T);
 
   quaternion q = frame_quaternion(&t);
-  return finish(&t, &q, out, T);
+  return finish_rotation(&t.at, t.longest * t.longest / t.doubled, &q, out, T);
 }
