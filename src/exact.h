@@ -36,4 +36,16 @@ static inline void add(exact_sum *x, exact_sum y) {
   x->lo += s.lo + y.lo;
 }
 
+static inline real difference_of_products(real a, real b, real c, real d) {
+  exact_sum ab = product(a, b), cd = product(c, d);
+  return (ab.hi - cd.hi) + (ab.lo - cd.lo);
+}
+
+/* a x b where cancellation would eat the digits: rounded once or twice, whatever the angle between a and b. */
+static inline void exact_cross(const real a[3], const real b[3], real c[3]) {
+  c[0] = difference_of_products(a[1], b[2], a[2], b[1]);
+  c[1] = difference_of_products(a[2], b[0], a[0], b[2]);
+  c[2] = difference_of_products(a[0], b[1], a[1], b[0]);
+}
+
 #endif

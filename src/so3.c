@@ -109,18 +109,6 @@ int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
   return CHS_OK;
 }
 
-static real difference_of_products(real a, real b, real c, real d) {
-  exact_sum ab = product(a, b), cd = product(c, d);
-  return (ab.hi - cd.hi) + (ab.lo - cd.lo);
-}
-
-/* a x b where cancellation would eat the digits: rounded once or twice, whatever the angle between a and b. */
-static void exact_cross(const real a[3], const real b[3], real c[3]) {
-  c[0] = difference_of_products(a[1], b[2], a[2], b[1]);
-  c[1] = difference_of_products(a[2], b[0], a[0], b[2]);
-  c[2] = difference_of_products(a[0], b[1], a[1], b[0]);
-}
-
 /* C = cof(X), and its norm given that of X. */
 static real cofactors(const real X[9], real size, real C[9]) {
   cross(X + 3, X + 6, C);

@@ -15,6 +15,7 @@
 
 #include <stdlib.h>
 
+#include "algebra.h"
 #include "assertions.h"
 #include "exact.h"
 #include "precision.h"
@@ -49,7 +50,7 @@ typedef struct function {
 #define SCREW_AT(array) ((screw *)(void *)(array))
 #define CONST_SCREW_AT(array) ((const screw *)(const void *)(array))
 
-enum { MOST_ARRAYS = 3, MOST_NUMBERS = 36 };
+enum { MOST_ARRAYS = 5, MOST_NUMBERS = 36 };
 
 static inline int size_of_kind(char kind) {
   switch (kind) {
@@ -57,6 +58,7 @@ static inline int size_of_kind(char kind) {
   case 't': return 1;  /* tolerance */
   case 'w':            /* rotation vector */
   case 'x': return 3;  /* vector */
+  case 'L':            /* line of unit direction */
   case 'V': return 6;  /* twist or wrench */
   case 'S':            /* screw */
   case 'H': return 8;  /* screw of which only translation and angle are read */
@@ -86,6 +88,11 @@ static inline void make_input(char kind, const real *previous, real *x) {
   case 'M':
   case 'W': random_rotation(x); break;
   case 'T': random_pose(2, x); break;
+  case 'L':
+    random_vector(1, x);
+    random_vector(1, pose);
+    cross_of(pose, x, x + 3);
+    break;
   case 'F':
     random_pose(2, pose);
     for (int i = 0; i < 9; i += 3) FN(chs_se3_apply)(pose, previous + i, x + i);
@@ -111,7 +118,7 @@ static inline void make_inputs(const function *f, example *e) {
 
 static inline void run(const function *f, example *e) {
   const real *in[MOST_ARRAYS] = {e->in[0], e->in[1], e->in[2]};
-  real *out[MOST_ARRAYS] = {e->out[0], e->out[1], e->out[2]};
+  real *out[MOST_ARRAYS] = {e->out[0], e->out[1], e->out[2], e->out[3], e->out[4]};
   e->status = f->call(in, out);
 }
 
@@ -149,11 +156,11 @@ static inline void assert_one_array_is_harmless(const function *f, int i, int j)
   run(f, &e);
   real apart[MOST_ARRAYS][MOST_NUMBERS], same[MOST_NUMBERS];
   const real *in[MOST_ARRAYS] = {e.in[0], e.in[1], e.in[2]};
-  real *out[MOST_ARRAYS] = {same, apart[1], apart[2]};
+  real *out[MOST_ARRAYS] = {same, apart[1], apart[2], apart[3], apart[4]};
   memcpy(same, e.in[i], sizeof same);
   in[i] = in[j] = same;
   ASSERT_STATUS(e.status, f->call(in, out));
-  assert_outputs(f, &e, out);
+  if (e.status >= 0) assert_outputs(f, &e, out);
 }
 
 /* Each output over each input in every position in which they share an element, and all of them at once. */
@@ -223,7 +230,7 @@ static inline void assert_unread_numbers_do_not_matter(const function *f) {
   make_inputs(f, &e);
   run(f, &e);
   example spoilt = e;
-  real *out[MOST_ARRAYS] = {spoilt.out[0], spoilt.out[1], spoilt.out[2]};
+  real *out[MOST_ARRAYS] = {spoilt.out[0], spoilt.out[1], spoilt.out[2], spoilt.out[3], spoilt.out[4]};
   for (int i = 0; i < inputs_of(f); i++)
     for (int k = 0; k < size_of_kind(f->inputs[i]); k++)
       if (f->inputs[i] != 't' && !is_read(f->inputs[i], k)) spoilt.in[i][k] = (real)NAN;

@@ -267,6 +267,39 @@ static void make_screw(struct source *source, double *screw) {
   make_angle(source, screw + 7);
 }
 
+/* A line of unit direction through a point of any size; one in sixteen has a direction of any length. */
+static void make_line(struct source *source, double *L) {
+  int axis[3];
+  double point_and_direction[6];
+  const int length = whole_axis(source, axis);
+  make_vector(source, point_and_direction);
+  make_vector(source, point_and_direction + 3);
+  for (int i = 0; i < 3; ++i) L[i] = rounded(source, (double)axis[i] / (double)length);
+  for (int i = 3; i < 6; ++i) L[i] = 0.0;
+  if (!one_in(source, 4)) call_library(source, "line_from_direction", point_and_direction, L);
+  if (one_in(source, 16)) memcpy(L, point_and_direction + 3, 3 * sizeof *L);
+}
+
+/* Two lines: unrelated; of one direction, exactly or nearly; through one point; or the same one. */
+static void make_lines(struct source *source, double *AB) {
+  double through[6];
+  double *B = AB + 6;
+  make_line(source, AB);
+  make_line(source, B);
+  make_vector(source, through);
+  const int kind = below(source, 8);
+  const bool back = one_in(source, 2);
+  const int bits = below(source, mantissa_bits(source));
+  for (int i = 0; i < 3; ++i) through[3 + i] = kind == 1 ? AB[i] : jitter(source, AB[i], bits);
+  if (kind == 1 || kind == 2) call_library(source, "line_from_direction", through, B);
+  for (int end = 0; end < 12 && kind == 3; end += 6) {
+    for (int i = 0; i < 3; ++i) through[3 + i] = AB[end + i];
+    call_library(source, "line_from_direction", through, AB + end);
+  }
+  if (kind == 4) memcpy(B, AB, 6 * sizeof *B);
+  for (int i = 0; i < 6 && back; ++i) B[i] = -B[i];
+}
+
 /* Three points of about the size 2^exponent: any, two nearly or exactly alike, on a line through the origin, far
  * away from it for their size, or in a plane with it. */
 static void make_triangle(struct source *source, int exponent, double *points) {
@@ -333,7 +366,8 @@ struct kind {
 static const struct kind kinds[] = {
     {'x', 3, make_vector},   {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
     {'R', 9, make_rotation}, {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
-    {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance},
+    {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
+    {'D', 12, make_lines},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -358,6 +358,45 @@ def screw_pose(axis, point, translation, angle):
     return axis_rotation(axis, angle), p
 
 
+# Lines: pairs (d, m)
+
+
+def axis_line(S):
+    """(line, pitch) of a screw (omega; v): unit direction, and moment at a right angle to it."""
+    size = norm(S[0:3])
+    d, v = unit(S[0:3]), [x / size for x in S[3:6]]
+    h = dot(d, v)
+    return (d, [x - h * y for x, y in zip(v, d)]), h
+
+
+def nearest_point(line, x):
+    """The point of the line nearest to x."""
+    d, m = line
+    p = add(cross(d, m), x)
+    return [a - b for a, b in zip(p, apply(cross_twice(d), x))]
+
+
+def cross_twice(d):
+    """I - d d^T of a unit vector: what lies across it."""
+    D = hat(d)
+    return times(mpf(-1), multiply(D, D))
+
+
+def line_angle(A, B):
+    """The angle of the directions of two raw lines."""
+    return atan2(norm(cross(A[0:3], B[0:3])), dot(A[0:3], B[0:3]))
+
+
+def line_gap(a, b):
+    """(foot on a, foot on b) of two lines that are not parallel: the least squares of a_0 + s a - b_0 - t b."""
+    p, q = cross(*a), cross(*b)
+    c, gap = dot(a[0], b[0]), subtract(q, p)
+    square = dot(cross(a[0], b[0]), cross(a[0], b[0]))
+    u, v = dot(a[0], gap), dot(b[0], gap)
+    s, t = (u - c * v) / square, (c * u - v) / square
+    return [x + s * y for x, y in zip(p, a[0])], [x + t * y for x, y in zip(q, b[0])]
+
+
 # Tilt and torsion
 
 

@@ -239,6 +239,22 @@ def check_screw(rng):
     return errors + distance(moved, add(point, times(translation, axis)))
 
 
+def check_line(rng):
+    """The common perpendicular by the screw that takes one line to the other, and the foot of a point."""
+    a, angle, height = (direction(rng), vector(rng, uniform(rng, 0, 2))), uniform(rng, 0.1, 3), uniform(rng, 0.1, 2)
+    a = a[0], cross(a[1], a[0])
+    foot, normal = add(cross(*a), times(uniform(rng, -2, 2), a[0])), exact.unit(cross(a[0], direction(rng)))
+    turn, shift = exact.screw_pose(normal, foot, height, angle)
+    b = exact.apply6(exact.adjoint(turn, shift), a[0] + a[1])
+    (d, m), h = exact.axis_line(times(uniform(rng, 1, 5), b))
+    from_a, to_b = exact.line_gap(a, (d, m))
+    errors = distance(from_a, foot) + distance(to_b, add(foot, times(height, normal))) + abs(h)
+    errors += abs(exact.line_angle(a[0] + a[1], b) - angle)
+    x = vector(rng, mpf(3))
+    near = exact.nearest_point(a, x)
+    return errors + norm(subtract(cross(near, a[0]), a[1])) + abs(dot(subtract(near, x), a[0]))
+
+
 def check_tilt(rng):
     """There and back, and the error angles against the angles of the relative rotation."""
     azimuth, tilt, torsion = uniform(rng, -3, 3), uniform(rng, 0.01, 3.1), uniform(rng, -3, 3)
@@ -291,6 +307,7 @@ CHECKS = [
     (check_adjoint, 200),
     (check_wrench, 200),
     (check_screw, 300),
+    (check_line, 300),
     (check_tilt, 300),
     (check_displacement, 200),
 ]
