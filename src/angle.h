@@ -71,6 +71,23 @@ static inline real cosine_of(real s, real c) {
   return cc < ss ? K(2.0) * cc - K(1.0) : K(1.0) - K(2.0) * ss;
 }
 
+/* sin(q) and 1 - cos(q), by way of the half angle, which is in the kernels' range for |q| up to pi. False where q is no
+ * angle or beyond ANGLE_MAX. */
+static inline int sine_and_versine(real q, real *sine, real *versine) {
+  real x = K(0.5) * q, s, c;
+  if (ABS(q) <= CHS_PI_A) {
+    real h = x * x;
+    s = x * sinc_kernel(h);
+    c = cos_kernel(h);
+  } else {
+    if (!(ABS(q) <= ANGLE_MAX)) return 0;
+    FN(chs_p_sin_cos)(x, 0, &s, &c);
+  }
+  *sine = K(2.0) * (s * c);
+  *versine = versine_of(s, c);
+  return 1;
+}
+
 /* The angle of the point (x, y), x and y >= 0 and not both 0, as base + rest. With t the tangent of rest, low says
  * that base = 0 and t = y / x, and p = atan(t)/t - 1. */
 typedef struct arc {

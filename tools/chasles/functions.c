@@ -14,21 +14,25 @@
 
 #define REAL double
 #define SCREW chs_screw
+#define CHAIN chs_chain
 #define LIB(name) chs_##name
 #define LOCAL(name) name##_double
 #include "functions_calls.h"
 #undef REAL
 #undef SCREW
+#undef CHAIN
 #undef LIB
 #undef LOCAL
 
 #define REAL float
 #define SCREW chs_screwf
+#define CHAIN chs_chainf
 #define LIB(name) chs_##name##f
 #define LOCAL(name) name##_float
 #include "functions_calls.h"
 #undef REAL
 #undef SCREW
+#undef CHAIN
 #undef LIB
 #undef LOCAL
 

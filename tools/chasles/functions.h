@@ -8,8 +8,8 @@
 #define FUNCTIONS_H
 
 enum {
-  MAX_INPUTS = 32, /* a larger function does not compile: see functions.c */
-  MAX_OUTPUTS = 64,
+  MAX_INPUTS = 64, /* a larger function does not compile: see functions.c */
+  MAX_OUTPUTS = 96,
   MAX_PROMISES = 8
 };
 

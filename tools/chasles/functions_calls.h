@@ -1,6 +1,6 @@
 /* functions_calls.h - the calls of functions.def in one precision; functions.c includes it twice.
  *
- * The includer defines REAL and SCREW (the types), LIB(name) (the library's function of that name) and LOCAL(name) (a
+ * The includer defines REAL, SCREW and CHAIN (the types), LIB(name) (the library's function of that name) and LOCAL(name) (a
  * name of our own for this precision). No include guard, on purpose.
  */
 
@@ -50,6 +50,25 @@ static int LOCAL(points_to_screw)(int (*method)(const REAL *, const REAL *, REAL
   const int status = method(in, in + 9, in[18], &screw, out + 8);
   LOCAL(put_screw)(&screw, out);
   return status;
+}
+
+/* A chain of six joints in a flat array is its screws, home pose and form, 1 being the body form; the joint values
+ * follow. */
+static CHAIN LOCAL(get_chain)(const REAL *flat) {
+  CHAIN chain = {6, flat[52] == 1 ? CHS_BODY_FORM : CHS_SPACE_FORM, flat, {0}, NULL};
+  for (int i = 0; i < 16; ++i) chain.home[i] = flat[36 + i];
+  return chain;
+}
+
+static int LOCAL(chain_pose)(int (*method)(const CHAIN *, const REAL *, REAL *), const REAL *in, REAL *out) {
+  const CHAIN chain = LOCAL(get_chain)(in);
+  return method(&chain, in + 53, out);
+}
+
+static int LOCAL(chain_jacobian)(int (*method)(const CHAIN *, const REAL *, REAL *, REAL *), const REAL *in,
+                                 REAL *out) {
+  const CHAIN chain = LOCAL(get_chain)(in);
+  return method(&chain, in + 53, out, out + 36);
 }
 
 /* Plain algebra returns void: its status is always 0. */

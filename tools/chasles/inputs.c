@@ -30,9 +30,10 @@ static int below(struct source *source, int count) { return (int)((next_bits(sou
 
 static bool one_in(struct source *source, int count) { return below(source, count) == 0; }
 
-/* The value rounded to the precision at hand. */
+/* The value rounded to the precision at hand. gcc 12 forgets a plain cast in loops that it vectorises. */
 static double rounded(const struct source *source, double x) {
-  return source->precision == DOUBLE_PRECISION ? x : (double)(float)x;
+  volatile float single = (float)x;
+  return source->precision == DOUBLE_PRECISION ? x : (double)single;
 }
 
 static int mantissa_bits(const struct source *source) { return source->precision == DOUBLE_PRECISION ? 52 : 23; }
@@ -356,6 +357,37 @@ static void make_tolerance(struct source *source, double *tolerance) {
   if (one_in(source, 16)) *tolerance = number_of(source, any_magnitude(source));
 }
 
+/* A joint about an axis of its frame, about an axis of any direction, with a pitch or not, a slide, or any twist. */
+static void make_joint(struct source *source, double *S) {
+  int axis[3];
+  double carried[22] = {1, 0, 0, 0, 0, 1, 0, 0,
+                        0, 0, 1, 0, 0, 0, 0, 1}; /* a translation, and the joint at the origin */
+  double *w = carried + 16;
+  const int length = whole_axis(source, axis);
+  const int kind = below(source, 16);
+  const int along = below(source, 3);
+  const double pitch = one_in(source, 4) ? number_of(source, ORDINARY) : 0.0;
+  make_twist(source, S);
+  if (kind < 2) return;
+  if (kind == 2) S[X] = S[Y] = S[Z] = 0.0;
+  if (kind == 2) return;
+  for (int i = 0; i < 3; ++i) {
+    w[i] = rounded(source, kind < 8 ? (i == along ? 1.0 : 0.0) : (double)axis[i] / (double)length);
+    if (kind == 3) w[i] = -w[i];
+    w[3 + i] = rounded(source, pitch * w[i]);
+    carried[4 * i + 3] = S[3 + i];
+  }
+  call_library(source, "se3_adjoint_twist", carried, S);
+}
+
+/* Six joints, the pose at rest, the form, and the joint values. */
+static void make_chain(struct source *source, double *chain) {
+  for (int i = 0; i < 6; ++i) make_joint(source, chain + 6 * i);
+  make_pose(source, chain + 36);
+  chain[52] = one_in(source, 2) ? 1.0 : 0.0;
+  for (int i = 0; i < 6; ++i) make_angle(source, chain + 53 + i);
+}
+
 /* The letters of functions.def. */
 struct kind {
   char letter;
@@ -367,7 +399,7 @@ static const struct kind kinds[] = {
     {'x', 3, make_vector},   {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
     {'R', 9, make_rotation}, {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
     {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
-    {'D', 12, make_lines},
+    {'D', 12, make_lines},   {'C', 59, make_chain},
 };
 
 static const struct kind *find_kind(char letter) {

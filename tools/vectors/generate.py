@@ -11,6 +11,7 @@ import os
 import sys
 import time
 
+import cases_chain
 import cases_line
 import cases_motion
 import cases_screw
@@ -20,7 +21,7 @@ import cases_tilt
 from formats import FORMATS
 
 FUNCTIONS = {
-    f.name: f for module in (cases_so3, cases_se3, cases_screw, cases_line, cases_motion, cases_tilt) for f in module.FUNCTIONS
+    f.name: f for module in (cases_so3, cases_se3, cases_screw, cases_line, cases_motion, cases_tilt, cases_chain) for f in module.FUNCTIONS
 }
 DEFAULT_OUT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "vectors")
 

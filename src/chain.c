@@ -1,0 +1,201 @@
+#include "chain_private.h"
+#include "exact.h"
+
+#include <string.h>
+
+real FN(chs_p_exact_pitch)(const real S[6]) {
+  real scale = safe_to_square(largest(S + 3, 3));
+  exact_sum sum = product(S[0], scale * S[3]);
+  add(&sum, product(S[1], scale * S[4]));
+  add(&sum, product(S[2], scale * S[5]));
+  return (sum.hi + sum.lo) / scale;
+}
+
+int FN(chs_p_advance_by_exp)(place *t, const real S[6], real q) {
+  real V[6], T[16], E[9], u[3];
+  for (int i = 0; i < 6; i++) V[i] = q * S[i];
+  if (FN(chs_se3_exp)(V, T) < 0) return 0;
+  part(T, E, u);
+  move(t, E, u);
+  return 1;
+}
+
+/* Where the walk starts: at the fixed frame, or at the home pose. */
+static void start(const chain *c, place *t) {
+  static const place origin = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+  if (c->form == CHS_BODY_FORM)
+    part(c->home, t->R, t->p);
+  else
+    *t = origin;
+}
+
+/* From the end of the walk to the tool. */
+static void finish(const chain *c, place *t) {
+  real M[9], p[3];
+  if (c->form == CHS_BODY_FORM) return;
+  part(c->home, M, p);
+  move(t, M, p);
+}
+
+/* In the body form, t <- t M^-1: from a place to how far the link has gone. */
+static void leave_home(const chain *c, place *t) {
+  real M[9], p[3];
+  if (c->form != CHS_BODY_FORM) return;
+  part(c->home, M, p);
+  transpose(M, M);
+  multiply(t->R, M, t->R);
+  rotate(t->R, p, p);
+  subtract(t->p, p, t->p);
+}
+
+static int is_finite_place(const place *t) {
+  int good = 1;
+  for (int i = 0; i < 9; i++) good &= is_finite(t->R[i]);
+  for (int i = 0; i < 3; i++) good &= is_finite(t->p[i]);
+  return good;
+}
+
+/* What is wrong with a chain or with joint values that gave no result. */
+static int why(const chain *c, const real *q) {
+  if (c->joints < 1) return CHS_ERR_ARGUMENT;
+  int status = first_error(finiteness(c->screws, 6 * c->joints), finiteness(q, c->joints));
+  status = first_error(status, finiteness(c->home, 12)); /* the last row is never read */
+  for (int i = 0; i < c->joints && status == CHS_OK; i++)
+    if (norm(c->screws + 6 * i, 3) * ABS(q[i]) >= (K(1.0) - K(8.0) * EPS) * ANGLE_MAX) status = CHS_ERR_ANGLE_RANGE;
+  return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
+}
+
+int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
+  place t;
+  start(c, &t);
+  int good = c->joints >= 1;
+  for (int i = 0; i < c->joints && good; i++) good = advance(&t, c->screws + 6 * i, q[i]);
+  finish(c, &t);
+  if (!good || !is_finite_place(&t)) return why(c, q);
+  join(t.R, t.p, T);
+  return CHS_OK;
+}
+
+/* Ad(t) S, the column of the Jacobian of a joint at t. */
+static inline void column_of(const place *t, const real S[6], real column[6]) {
+  real moment[3];
+  rotate(t->R, S, column);
+  rotate(t->R, S + 3, column + 3);
+  cross(t->p, column, moment);
+  for (int i = 0; i < 3; i++) column[3 + i] += moment[i];
+}
+
+/* Column i of J, which is 6 x n. */
+static inline void put_column(const real column[6], int n, int i, real *J) {
+  for (int row = 0; row < 6; row++) J[n * row + i] = column[row];
+}
+
+static inline void get_column(const real *J, int n, int i, real column[6]) {
+  for (int row = 0; row < 6; row++) column[row] = J[n * row + i];
+}
+
+/* Ad(t)^-1, in place. */
+static inline void into_frame_of(const place *t, real column[6]) {
+  real moment[3];
+  cross(t->p, column, moment);
+  subtract(column + 3, moment, column + 3);
+  rotate_back(t->R, column, column);
+  rotate_back(t->R, column + 3, column + 3);
+}
+
+/* The walk, and the columns of the Jacobian in the fixed frame. */
+static void walk(const chain *c, const real *q, real *J, place *t) {
+  start(c, t);
+  for (int i = 0; i < c->joints; i++) {
+    real column[6], joint = q[i];
+    column_of(t, c->screws + 6 * i, column);
+    put_column(column, c->joints, i, J);
+    advance(t, c->screws + 6 * i, joint);
+  }
+  finish(c, t);
+}
+
+/* Numbers so ordinary that nothing can come out of range: what most calls need to be told. The sum is poisoned by
+ * whatever is not finite. */
+static int is_ordinary(const chain *c, const real *q) {
+  const real most = K(1.0) / (K(64.0) * EPS);
+  real sum = 0;
+  for (int i = 0; i < c->joints; i++) {
+    const real *S = c->screws + 6 * i;
+    real size = ABS(S[0]) + ABS(S[1]) + ABS(S[2]) + ABS(S[3]) + ABS(S[4]) + ABS(S[5]);
+    sum += size * (K(1.0) + ABS(q[i]));
+  }
+  for (int i = 0; i < 12; i++) sum += ABS(c->home[i]);
+  return c->joints >= 1 && sum <= most;
+}
+
+/* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`, displacements
+ * from the fixed frame? Gives the tool's place. */
+static int rehearse(const chain *c, const real *q, const place *frame, place *t) {
+  int good = c->joints >= 1;
+  start(c, t);
+  for (int i = 0; i < c->joints && good; i++) {
+    real column[6];
+    column_of(t, c->screws + 6 * i, column);
+    if (frame) into_frame_of(frame, column);
+    good = all_finite(column, 6) && advance(t, c->screws + 6 * i, q[i]);
+    place displacement = *t;
+    leave_home(c, &displacement);
+    good = good && is_finite_place(&displacement);
+  }
+  finish(c, t);
+  return good && is_finite_place(t);
+}
+
+/* CHS_OK where the walk may write its results as it goes, or why there are none. */
+static int may_walk(const chain *c, const real *q) {
+  place t, end;
+  if (is_ordinary(c, q)) return CHS_OK;
+  return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : why(c, q);
+}
+
+/* The joint values moved to the end of an output that they may overlap. Each is read before what takes its place is
+ * written. */
+static const real *keep(const real *q, int n, real *end) {
+  memmove(end, q, (size_t)n * sizeof *q);
+  return end;
+}
+
+int FN(chs_chain_links)(const chain *c, const real *q, real *D) {
+  place t;
+  int n = c->joints, status = may_walk(c, q);
+  if (status != CHS_OK) return status;
+  q = keep(q, n, D + 15 * n);
+  start(c, &t);
+  for (int i = 0; i < n; i++) {
+    advance(&t, c->screws + 6 * i, q[i]);
+    place displacement = t;
+    leave_home(c, &displacement);
+    join(displacement.R, displacement.p, D + 16 * i);
+  }
+  return CHS_OK;
+}
+
+int FN(chs_chain_space_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
+  place t;
+  int n = c->joints, status = may_walk(c, q);
+  if (status != CHS_OK) return status;
+  walk(c, keep(q, n, J + 5 * n), J, &t);
+  if (T) join(t.R, t.p, T);
+  return CHS_OK;
+}
+
+int FN(chs_chain_body_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
+  place t;
+  int n = c->joints, status = may_walk(c, q);
+  if (status != CHS_OK) return status;
+  walk(c, keep(q, n, J + 5 * n), J, &t);
+  for (int i = 0; i < n; i++) {
+    real column[6];
+    get_column(J, n, i, column);
+    into_frame_of(&t, column);
+    put_column(column, n, i, J);
+  }
+  if (T) join(t.R, t.p, T);
+  return CHS_OK;
+}

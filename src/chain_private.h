@@ -1,0 +1,106 @@
+/* The walk along a chain, from the fixed end to the tool. */
+#ifndef CHASLES_CHAIN_PRIVATE_H
+#define CHASLES_CHAIN_PRIVATE_H
+
+#include "real.h"
+
+/* gcc's vectoriser of loops fuses a*b -+ c of neighbouring results just as that of straight-line code does: see real.h.
+ * Before the other headers, so that their functions are compiled alike and can be inlined. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-loop-vectorize")
+#endif
+
+#include "pose.h"
+#include "rotation.h"
+#include <chasles/chain.h>
+#include <chasles/se3.h>
+
+#ifdef CHS_SINGLE
+typedef chs_chainf chain;
+#else
+typedef chs_chain chain;
+#endif
+
+/* A pose on the way. */
+typedef struct place {
+  real R[9], p[3];
+} place;
+
+/* t <- t moved by (E, u) in its own frame. */
+static inline void move(place *t, const real E[9], const real u[3]) {
+  real step[3];
+  rotate(t->R, u, step);
+  for (int i = 0; i < 3; i++) t->p[i] += step[i];
+  multiply(t->R, E, t->R);
+}
+
+/* Which of its frame's axes omega is, of either sign: 0, 1, 2; 3 where it is zero; -1 otherwise. */
+static inline int frame_axis(const real w[3]) {
+  if (w[0] == 0) {
+    if (w[1] == 0) return w[2] == 0 ? 3 : ABS(w[2]) == 1 ? 2 : -1;
+    return w[2] == 0 && ABS(w[1]) == 1 ? 1 : -1;
+  }
+  return w[1] == 0 && w[2] == 0 && ABS(w[0]) == 1 ? 0 : -1;
+}
+
+/* A turn by q about the axis k = i x j of t's frame, of a joint with the given v: two columns of R change. */
+static inline int turn(place *t, int i, int j, int k, real q, const real v[3]) {
+  real sine, versine, u[3], step[3];
+  if (!sine_and_versine(q, &sine, &versine)) return 0;
+  u[i] = sine * v[i] - versine * v[j];
+  u[j] = sine * v[j] + versine * v[i];
+  u[k] = q * v[k];
+  rotate(t->R, u, step);
+  real cosine = K(1.0) - versine;
+  for (int row = 0; row < 3; row++) {
+    real x = t->R[3 * row + i], y = t->R[3 * row + j];
+    t->R[3 * row + i] = cosine * x + sine * y;
+    t->R[3 * row + j] = cosine * y - sine * x;
+    t->p[row] += step[row];
+  }
+  return 1;
+}
+
+/* omega . v of a joint rounded once: what rounding leaves of it in a revolute joint turns far with the joint. */
+real FN(chs_p_exact_pitch)(const real S[6]);
+
+/* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
+ * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
+static inline int turn_about(place *t, real ww, real q, const real S[6]) {
+  real sine, versine, E[9], u[3], wxv[3], s[6], k = K(1.5) - K(0.5) * ww;
+  if (!sine_and_versine(q, &sine, &versine)) return 0;
+  for (int i = 0; i < 6; i++) s[i] = k * S[i];
+  const real *w = s, *v = s + 3;
+  rotation_from(w, sine, versine, K(1.0) - versine, 0, E);
+  cross(w, v, wxv);
+  real pitch = ABS(q) <= CHS_PI_A ? dot(w, v) : k * k * FN(chs_p_exact_pitch)(S), along = (q - sine) * pitch;
+  for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
+  move(t, E, u);
+  return 1;
+}
+
+/* t <- t exp([S] q), where omega is of no use as it is. */
+int FN(chs_p_advance_by_exp)(place *t, const real S[6], real q);
+
+/* t <- t exp([S] q). False where q is out of range or something is no number; t is then of no use. */
+static inline int advance(place *t, const real S[6], real q) {
+  int k = frame_axis(S);
+  real v[3];
+  if (k == 3) {
+    for (int i = 0; i < 3; i++) v[i] = q * S[3 + i];
+    rotate(t->R, v, v);
+    for (int i = 0; i < 3; i++) t->p[i] += v[i];
+    return 1;
+  }
+  if (k < 0) {
+    real ww = dot(S, S);
+    return ABS(ww - K(1.0)) <= K(8.0) * EPS ? turn_about(t, ww, q, S) : FN(chs_p_advance_by_exp)(t, S, q);
+  }
+  /* The same joint with its axis turned round where it points backwards. */
+  real sign = S[k];
+  for (int i = 0; i < 3; i++) v[i] = sign * S[3 + i];
+  q = sign * q;
+  return k == 0 ? turn(t, 1, 2, 0, q, v) : k == 1 ? turn(t, 2, 0, 1, q, v) : turn(t, 0, 1, 2, q, v);
+}
+
+#endif
