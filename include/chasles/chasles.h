@@ -30,6 +30,7 @@
 #define CHS_VERSION_PATCH 0
 #define CHS_VERSION "0.1.0"
 
+#include <chasles/agile_eye.h>
 #include <chasles/chain.h>
 #include <chasles/line.h>
 #include <chasles/motion.h>

@@ -63,6 +63,7 @@ static inline int size_of_kind(char kind) {
   case 'S':            /* screw */
   case 'H': return 8;  /* screw of which only translation and angle are read */
   case 'T': return 16; /* pose */
+  case 'E': return 24; /* eight sets of three joint angles */
   case 'A': return 36; /* adjoint */
   default: return 9; /* M any matrix, W matrix without its diagonal, R rotation, P three points, F those points moved */
   }

@@ -71,6 +71,9 @@ static int LOCAL(chain_jacobian)(int (*method)(const CHAIN *, const REAL *, REAL
   return method(&chain, in + 53, out, out + 36);
 }
 
+/* An integer argument from a flat array: one that no function takes where the number is none. */
+static int LOCAL(whole)(REAL x) { return x > -1000 && x < 1000 ? (int)x : -1000; }
+
 /* Plain algebra returns void: its status is always 0. */
 #define ALWAYS_OK(call) ((call), CHS_OK)
 

@@ -388,6 +388,11 @@ static void make_chain(struct source *source, double *chain) {
   for (int i = 0; i < 6; ++i) make_angle(source, chain + 53 + i);
 }
 
+/* The number of a mode, 0 to 7, now and then of none. */
+static void make_mode(struct source *source, double *mode) {
+  *mode = one_in(source, 16) ? 8 - 9 * below(source, 2) : below(source, 8);
+}
+
 /* The letters of functions.def. */
 struct kind {
   char letter;
@@ -399,7 +404,7 @@ static const struct kind kinds[] = {
     {'x', 3, make_vector},   {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
     {'R', 9, make_rotation}, {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
     {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
-    {'D', 12, make_lines},   {'C', 59, make_chain},
+    {'D', 12, make_lines},   {'C', 59, make_chain},          {'m', 1, make_mode},
 };
 
 static const struct kind *find_kind(char letter) {

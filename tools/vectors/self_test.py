@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from mpmath import factorial, ldexp, mp, mpf, pi, sin, workprec
 
+import cases_agile_eye
 import cases_se3
 import exact
 import sampling
@@ -288,6 +289,19 @@ def check_displacement(rng):
     return worst * height
 
 
+def check_agile_eye(rng):
+    """The legs close, and the orientation is a rotation and that of the closed form."""
+    legs = cases_agile_eye.Legs([uniform(rng, -3, 3) for _ in range(3)])
+    R, closed = legs.platform(), [mpf(0)] * 9
+    c, s, d = [w[(i + 2) % 3] for i, w in enumerate(legs.w)], [-w[(i + 1) % 3] for i, w in enumerate(legs.w)], legs.d
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        N, length = c[j] * s[k] - s[j] * s[i] * c[k] * c[i], d[j] * d[k]
+        closed[3 * i + j], closed[3 * j + j], closed[3 * k + j] = -N / length, c[i] * legs.D / length, s[i] * legs.D / length
+    open_by = sum(abs(dot(legs.w[i], exact.column(R, (i + 1) % 3))) for i in range(3))
+    return open_by + exact.deviation(R) + distance(R, closed)
+
+
 CHECKS = [
     (check_rounding, 2000),
     (check_exp, 200),
@@ -310,6 +324,7 @@ CHECKS = [
     (check_line, 300),
     (check_tilt, 300),
     (check_displacement, 200),
+    (check_agile_eye, 200),
 ]
 
 
