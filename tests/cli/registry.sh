@@ -19,8 +19,8 @@ promises=$(sed -n 's/^#define CHS_EPS_\([A-Z0-9_]*\) .*/\1/p' "$include"/*.h)
 [ -n "$promises" ] || lacks 'a promise, or none was found'
 for promise in $promises; do
   case $promise in
-    *_BEYOND) pattern="PROMISE_BEYOND([a-z_]*, ${promise%_BEYOND})" ;;
-    *) pattern="PROMISE\(_BEYOND\)\?([a-z_]*, $promise)" ;;
+    *_BEYOND) pattern="PROMISE_BEYOND([a-z0-9_]*, ${promise%_BEYOND})" ;;
+    *) pattern="PROMISE\(_BEYOND\)\?([a-z0-9_]*, $promise)" ;;
   esac
   grep -q "$pattern" "$registry" || lacks "CHS_EPS_$promise"
 done
