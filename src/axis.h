@@ -1,22 +1,30 @@
-/* The axis of a screw (omega; v): its line, and its pitch. */
+/* Screws (omega; v) as their axis, a line, and their pitch. */
 #ifndef CHASLES_AXIS_H
 #define CHASLES_AXIS_H
 
 #include "vec3.h"
 
-/* e = omega/|omega|, and v/|omega| = m + h e with m, the axis's moment, at a right angle to e. CHS_ERR_SINGULAR where
- * omega is 0, or so short that its length has lost digits; what overflows is left to the caller. */
-static inline int axis_of(const real S[6], real e[3], real m[3], real *h) {
-  real length = norm(S, 3), along;
-  if (!(length >= REAL_MIN)) return CHS_ERR_SINGULAR;
+/* e = omega/|omega| and w = v/|omega|, omega not 0, with all their digits whatever the size of either; the rate is
+ * |omega|. What overflows is left to the caller. */
+static inline void per_radian(const real S[6], real e[3], real w[3], real *rate) {
+  real scale = safe_to_square(largest(S, 3)), x[3], length;
+  int enlarge = scale > 1 && largest(S + 3, 3) < 1;
+  for (int i = 0; i < 3; i++) x[i] = scale * S[i];
+  length = SQRT(dot(x, x));
   for (int i = 0; i < 3; i++) {
-    e[i] = S[i] / length;
-    m[i] = S[3 + i] / length;
+    e[i] = x[i] / length;
+    w[i] = enlarge ? scale * S[3 + i] / length : S[3 + i] / length * scale;
   }
+  *rate = length / scale;
+}
+
+/* Likewise with w = m + h e, m the moment of the axis, at a right angle to e, and h the pitch. */
+static inline void axis_of(const real S[6], real e[3], real m[3], real *h) {
+  real rate, along;
+  per_radian(S, e, m, &rate);
   along = dot(e, m);
   for (int i = 0; i < 3; i++) m[i] -= along * e[i];
   *h = along;
-  return CHS_OK;
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include <chasles/line.h>
 
+#include <chasles/screw.h>
 #include <chasles/se3.h>
 
 #include "angle.h"
@@ -18,42 +19,18 @@ void FN(chs_line_raw_from_points)(const real a[3], const real b[3], real L[6]) {
   copy(m, 3, L + 3);
 }
 
-/* The line through p along d, whose inputs, n numbers, were finite. */
-static int through(const real p[3], const real d[3], real L[6]) {
-  real e[3], m[3];
-  unit(d, e);
-  cross(p, e, m);
-  if (!all_finite(m, 3)) return CHS_ERR_OVERFLOW;
-  copy(e, 3, L);
-  copy(m, 3, L + 3);
-  return CHS_OK;
-}
-
 int FN(chs_line_from_points)(const real a[3], const real b[3], real L[6]) {
   real d[3];
   int status = first_error(finiteness(a, 3), finiteness(b, 3));
   if (status != CHS_OK) return status;
   subtract(b, a, d);
   if (!all_finite(d, 3)) return CHS_ERR_OVERFLOW;
-  return largest(d, 3) == 0 ? CHS_ERR_COINCIDENT : through(nearer(a, b), d, L);
+  return largest(d, 3) == 0 ? CHS_ERR_COINCIDENT : FN(chs_screw_revolute)(nearer(a, b), d, L);
 }
 
-int FN(chs_line_from_direction)(const real p[3], const real d[3], real L[6]) {
-  int status = first_error(finiteness(p, 3), finiteness(d, 3));
-  if (status != CHS_OK) return status;
-  return largest(d, 3) == 0 ? CHS_ERR_SINGULAR : through(p, d, L);
-}
+int FN(chs_line_from_direction)(const real p[3], const real d[3], real L[6]) { return FN(chs_screw_revolute)(p, d, L); }
 
-int FN(chs_line_normalize)(const real raw[6], real L[6]) {
-  real e[3], m[3], h;
-  int status = finiteness(raw, 6);
-  if (status == CHS_OK) status = axis_of(raw, e, m, &h);
-  if (status != CHS_OK) return status;
-  if (!all_finite(m, 3)) return CHS_ERR_OVERFLOW;
-  copy(e, 3, L);
-  copy(m, 3, L + 3);
-  return CHS_OK;
-}
+int FN(chs_line_normalize)(const real raw[6], real L[6]) { return FN(chs_screw_axis_line)(raw, L); }
 
 void FN(chs_line_move)(const real T[16], const real L[6], real moved[6]) { FN(chs_se3_adjoint_twist)(T, L, moved); }
 

@@ -31,7 +31,6 @@ typedef float real;
 #define K(literal) literal##F
 #define EPS FLT_EPSILON
 #define REAL_MAX FLT_MAX
-#define REAL_MIN FLT_MIN
 #define SQRT sqrtf
 #define ABS fabsf
 /* Numbers below UNDERFLOWS or above OVERFLOWS may not be squared; times ENLARGE or REDUCE they may. All powers of 2. */
@@ -51,7 +50,6 @@ typedef double real;
 #define K(literal) literal
 #define EPS DBL_EPSILON
 #define REAL_MAX DBL_MAX
-#define REAL_MIN DBL_MIN
 #define SQRT sqrt
 #define ABS fabs
 #define UNDERFLOWS 0x1p-500

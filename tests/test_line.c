@@ -92,12 +92,10 @@ static void test_points_that_coincide_make_no_line(void) {
 }
 
 static void test_a_direction_of_zero_makes_no_line(void) {
-  const real p[3] = {1, 2, 3}, zero[3] = {0, -K(0.0), 0}, raw[6] = {0, 0, 0, 1, 2, 3},
-             subnormal[6] = {SMALLEST, 0, 0, 0, 0, 1};
+  const real p[3] = {1, 2, 3}, zero[3] = {0, -K(0.0), 0}, raw[6] = {0, 0, 0, 1, 2, 3};
   real L[6];
   ASSERT_REFUSES(CHS_ERR_SINGULAR, L, FN(chs_line_from_direction)(p, zero, L));
   ASSERT_REFUSES(CHS_ERR_SINGULAR, L, FN(chs_line_normalize)(raw, L));
-  ASSERT_REFUSES(CHS_ERR_SINGULAR, L, FN(chs_line_normalize)(subnormal, L));
 }
 
 static void test_normalize_leaves_a_unit_line_and_undoes_any_factor(void) {
@@ -110,6 +108,17 @@ static void test_normalize_leaves_a_unit_line_and_undoes_any_factor(void) {
     ASSERT_NORM_WITHIN_EPS(L + 3, back + 3, 3, CHS_EPS_LINE_NORMALIZE_MOMENT + CHS_EPS_LINE_FROM_DIRECTION_MOMENT + 1,
                            2);
   }
+}
+
+static void test_normalize_resolves_subnormal_directions(void) {
+  const real small[6] = {3 * SMALLEST, 0, 4 * SMALLEST, 0, 10 * SMALLEST, 0},
+             expected[6] = {K(0.6), 0, K(0.8), 0, 2, 0};
+  const real mixed[6] = {0, 0, 2 * SMALLEST, SMALLEST * PICK(0x1p500, 0x1p100F), 0, 0};
+  real L[6];
+  ASSERT_STATUS(CHS_OK, FN(chs_line_normalize)(small, L));
+  ASSERT_ENTRIES_WITHIN_EPS(expected, L, 6, CHS_EPS_LINE_NORMALIZE_MOMENT, 2);
+  ASSERT_STATUS(CHS_OK, FN(chs_line_normalize)(mixed, L));
+  TEST_ASSERT_TRUE(L[2] == 1 && L[3] == (real)PICK(0x1p499, 0x1p99F));
 }
 
 static void test_normalize_takes_out_what_the_moment_has_along_the_line(void) {
@@ -423,6 +432,7 @@ int main(void) {
   RUN_TEST(test_points_that_coincide_make_no_line);
   RUN_TEST(test_a_direction_of_zero_makes_no_line);
   RUN_TEST(test_normalize_leaves_a_unit_line_and_undoes_any_factor);
+  RUN_TEST(test_normalize_resolves_subnormal_directions);
   RUN_TEST(test_normalize_takes_out_what_the_moment_has_along_the_line);
   RUN_TEST(test_a_moved_line_goes_through_the_moved_points);
   RUN_TEST(test_a_line_is_the_twist_of_a_turn_about_it);

@@ -1,9 +1,20 @@
 #include "support/suite.h"
 
-#define FUNCTIONS(PLAIN, CHECKED)                                   \
-  CHECKED(screw_from_pose, "T", "S", (in[0], SCREW_AT(out[0])))     \
-  CHECKED(screw_to_pose, "S", "T", (CONST_SCREW_AT(in[0]), out[0])) \
-  CHECKED(screw_pitch, "H", "a", (CONST_SCREW_AT(in[0]), out[0]))
+#define FUNCTIONS(PLAIN, CHECKED)                                        \
+  CHECKED(screw_from_pose, "T", "S", (in[0], SCREW_AT(out[0])))          \
+  CHECKED(screw_to_pose, "S", "T", (CONST_SCREW_AT(in[0]), out[0]))      \
+  CHECKED(screw_pitch, "H", "a", (CONST_SCREW_AT(in[0]), out[0]))        \
+  CHECKED(screw_helical, "xxt", "V", (in[0], in[1], in[2][0], out[0]))   \
+  CHECKED(screw_revolute, "xx", "V", (in[0], in[1], out[0]))             \
+  CHECKED(screw_prismatic, "x", "V", (in[0], out[0]))                    \
+  CHECKED(screw_axis_parts, "V", "xxa", (in[0], out[0], out[1], out[2])) \
+  CHECKED(screw_axis_pitch, "V", "a", (in[0], out[0]))                   \
+  CHECKED(screw_axis_line, "V", "L", (in[0], out[0]))                    \
+  CHECKED(screw_normalize, "V", "Va", (in[0], out[0], out[1]))           \
+  PLAIN(screw_twist, "Va", "V", (in[0], in[1][0], out[0]))               \
+  PLAIN(screw_reciprocal, "VV", "a", (in[0], in[1], out[0]))             \
+  CHECKED(screw_move_body, "TVa", "T", (in[0], in[1], in[2][0], out[0])) \
+  CHECKED(screw_move_space, "TVa", "T", (in[0], in[1], in[2][0], out[0]))
 
 DEFINE_FUNCTIONS(FUNCTIONS)
 DEFINE_CONTRACT_TESTS()
@@ -358,6 +369,250 @@ static void test_worked_example_twist_to_screw(void) {
   TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 32 * EPS, 0, (double)pitch);
 }
 
+/* Screw axes. */
+
+static void assert_axis(const real expected[6], const real S[6], double error) {
+  ASSERT_NORM_WITHIN_EPS(expected, S, 6, error, 1 + length_of(expected + 3, 3));
+}
+
+static void test_joints_are_screws_of_pitch_zero_some_and_infinity(void) {
+  const real q[3] = {1, 2, 3}, s[3] = {0, 0, 5}, infinite = (real)INFINITY;
+  const real revolute[6] = {0, 0, 1, 2, -1, 0}, helical[6] = {0, 0, 1, 2, -1, 4}, prismatic[6] = {0, 0, 0, 0, 0, 1},
+             back[6] = {0, 0, 0, 0, 0, -1};
+  real S[6];
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_revolute)(q, s, S));
+  ASSERT_SAME_BITS(revolute, S, 6);
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_helical)(q, s, 4, S));
+  ASSERT_SAME_BITS(helical, S, 6);
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_prismatic)(s, S));
+  ASSERT_SAME_BITS(prismatic, S, 6);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_helical)(q, s, infinite, S));
+  ASSERT_SAME_BITS(prismatic, S, 6);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_helical)(q, s, -infinite, S));
+  ASSERT_ENTRIES_WITHIN_EPS(back, S, 6, 0, 1);
+}
+
+static void test_a_joint_without_a_direction_or_with_a_pitch_that_is_no_number_is_refused(void) {
+  const real q[3] = {1, 2, 3}, zero[3] = {0, -K(0.0), 0}, s[3] = {0, 1, 0}, bad[3] = {(real)INFINITY, 0, 0};
+  real S[6];
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, S, FN(chs_screw_revolute)(q, zero, S));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, S, FN(chs_screw_helical)(q, zero, (real)INFINITY, S));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, S, FN(chs_screw_prismatic)(zero, S));
+  ASSERT_REFUSES(CHS_ERR_NAN, S, FN(chs_screw_helical)(q, s, (real)NAN, S));
+  ASSERT_REFUSES(CHS_ERR_NAN, S, FN(chs_screw_helical)(bad, s, (real)NAN, S));
+  ASSERT_REFUSES(CHS_ERR_INFINITE, S, FN(chs_screw_helical)(bad, s, (real)INFINITY, S));
+}
+
+static void test_axis_parts_take_back_what_helical_made(void) {
+  for (int k = 0; k < CASES; k++) {
+    real q[3], s[3], S[6], point[3], e[3], h, pitch, V[6], L[6];
+    double reach = log_uniform(PICK(1e-100, 1e-10), PICK(1e100, 1e10));
+    random_vector(reach, q);
+    random_vector(1, s);
+    real given = k % 3 ? rounded(reach * uniform(-2, 2)) : 0;
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_helical)(q, s, given, S));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_parts)(S, point, e, &pitch));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_pitch)(S, &h));
+    ASSERT_SAME_BITS(&pitch, &h, 1);
+    double scale = reach + fabs((double)given), made = CHS_EPS_SCREW_HELICAL_TRANSLATION;
+    ASSERT_NORM_WITHIN_EPS(s, e, 3, CHS_EPS_SCREW_AXIS_PARTS_DIRECTION + CHS_EPS_SCREW_HELICAL_ROTATION + 1, 1);
+    ASSERT_WITHIN_EPS(given, h, CHS_EPS_SCREW_AXIS_PITCH + made + CHS_EPS_SCREW_HELICAL_ROTATION, scale);
+    /* The point is the one of the axis nearest to the origin. */
+    double along = dot_of(q, s, 3), parts = CHS_EPS_SCREW_AXIS_PARTS_POINT + made + 6;
+    real nearest[3];
+    for (int i = 0; i < 3; i++) nearest[i] = rounded((double)q[i] - along * (double)s[i]);
+    ASSERT_NORM_WITHIN_EPS(nearest, point, 3, parts, scale);
+    /* The line's coordinates are those of the pure rotation; a longer twist has the same axis. */
+    scaled(uniform(2, 3), S, 6, V);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_line)(V, L));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_revolute)(q, s, S));
+    ASSERT_NORM_WITHIN_EPS(S, L, 3, CHS_EPS_SCREW_AXIS_LINE_DIRECTION + CHS_EPS_SCREW_REVOLUTE_ROTATION + 3, 1);
+    ASSERT_NORM_WITHIN_EPS(S + 3, L + 3, 3, CHS_EPS_SCREW_AXIS_LINE_MOMENT + 2 * made + 6, scale);
+  }
+}
+
+static void test_a_screw_without_rotation_has_infinite_pitch_and_no_line(void) {
+  const real S[6] = {0, -K(0.0), 0, 0, 0, -3}, still[6] = {0}, origin[3] = {0, 0, 0}, down[3] = {0, 0, -1};
+  real q[3], s[3], h, L[6];
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_axis_parts)(S, q, s, &h));
+  ASSERT_SAME_BITS(origin, q, 3);
+  ASSERT_SAME_BITS(down, s, 3);
+  TEST_ASSERT_TRUE(h == (real)INFINITY);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_axis_pitch)(S, &h));
+  TEST_ASSERT_TRUE(h == (real)INFINITY);
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, L, FN(chs_screw_axis_line)(S, L));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, L, FN(chs_screw_axis_line)(still, L));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, h, FN(chs_screw_axis_pitch)(still, &h));
+  ASSERT_REFUSES(CHS_ERR_SINGULAR, h, FN(chs_screw_axis_parts)(still, q, s, &h));
+}
+
+static void test_normalize_parts_a_twist_into_axis_and_rate(void) {
+  for (int k = 0; k < CASES; k++) {
+    real V[6], S[6], rate, back[6];
+    int turning = k % 3 > 0;
+    if (turning) random_vector(log_uniform(PICK(1e-150, 1e-15), PICK(1e150, 1e15)), V);
+    random_vector(log_uniform(PICK(1e-150, 1e-15), PICK(1e150, 1e15)), V + 3);
+    if (!turning) V[0] = V[1] = V[2] = 0;
+    ASSERT_STATUS(turning ? CHS_OK : CHS_PURE_TRANSLATION, FN(chs_screw_normalize)(V, S, &rate));
+    ASSERT_WITHIN_EPS(1, length_of(turning ? S : S + 3, 3), CHS_EPS_SCREW_NORMALIZE_ROTATION, 1);
+    FN(chs_screw_twist)(S, rate, back);
+    double parts = CHS_EPS_SCREW_NORMALIZE_RATE + CHS_EPS_SCREW_NORMALIZE_TRANSLATION + CHS_EPS_SCREW_TWIST;
+    ASSERT_NORM_WITHIN_EPS(V, back, 3, parts, length_of(V, 3));
+    ASSERT_NORM_WITHIN_EPS(V + 3, back + 3, 3, parts, length_of(V + 3, 3));
+  }
+}
+
+static void test_normalize_of_what_hardly_turns_or_does_not_move(void) {
+  const real still[6] = {0}, up[6] = {0, 0, 0, 0, 0, 1};
+  const real hardly[6] = {SMALLEST, 0, 0, 0, 0, 3}, slow[6] = {0, 3 * SMALLEST, 4 * SMALLEST, 0, 0, 5 * SMALLEST},
+             expected[6] = {0, K(0.6), K(0.8), 0, 0, 1};
+  real S[6], rate;
+  ASSERT_STATUS(CHS_NO_MOTION, FN(chs_screw_normalize)(still, S, &rate));
+  ASSERT_SAME_BITS(up, S, 6);
+  TEST_ASSERT_TRUE(rate == 0);
+  ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_normalize)(hardly, S, &rate));
+  ASSERT_SAME_BITS(up, S, 6);
+  TEST_ASSERT_TRUE(rate == 3);
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_normalize)(slow, S, &rate));
+  ASSERT_ENTRIES_WITHIN_EPS(expected, S, 6, CHS_EPS_SCREW_NORMALIZE_TRANSLATION, 1);
+  TEST_ASSERT_TRUE(rate == 5 * (real)SMALLEST);
+}
+
+static void test_values_beyond_the_range_of_screw_axes_are_an_overflow(void) {
+  const real V[6] = {REAL_MAX, REAL_MAX, 0, 1, 2, 3}, far[6] = {0, 0, K(0.1), REAL_MAX, 0, 0},
+             steep[6] = {0, 0, K(0.1), 0, 0, REAL_MAX}, corner[3] = {REAL_MAX, -REAL_MAX, 0}, s[3] = {1, 1, 0};
+  real S[6], q[3], e[3], h, rate;
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, rate, FN(chs_screw_normalize)(V, S, &rate));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_parts)(far, q, e, &h));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_pitch)(far, &h));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_pitch)(steep, &h));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, S, FN(chs_screw_axis_line)(far, S));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, S, FN(chs_screw_revolute)(corner, s, S));
+}
+
+/* S_a = Ad(T_ab) S_b: the axis of a moved joint. */
+static void test_the_adjoint_changes_the_frame_of_a_screw(void) {
+  for (int k = 0; k < CASES; k++) {
+    real T[16], R[9], p[3], q[3], s[3], S[6], moved[6], expected[6];
+    random_pose(1, T);
+    FN(chs_se3_to_parts)(T, R, p);
+    random_vector(1, q);
+    random_vector(1, s);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_helical)(q, s, 2, S));
+    FN(chs_se3_adjoint_twist)(T, S, moved);
+    FN(chs_se3_apply)(T, q, q);
+    FN(chs_so3_apply)(R, s, s);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_helical)(q, s, 2, expected));
+    assert_axis(expected, moved, 20);
+  }
+}
+
+static void test_the_reciprocal_product_of_lines_is_their_moment(void) {
+  for (int k = 0; k < CASES; k++) {
+    const real x[3] = {1, 0, 0}, origin[3] = {0, 0, 0};
+    double angle = uniform(0.1, 3), height = uniform(0.1, 3);
+    const real over[3] = {0, 0, rounded(height)}, turned[3] = {rounded(cos(angle)), rounded(sin(angle)), 0};
+    real A[6], B[6], product, other;
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_revolute)(origin, x, A));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_revolute)(over, turned, B));
+    FN(chs_screw_reciprocal)(A, B, &product);
+    ASSERT_WITHIN_EPS(-sin(angle) * height, product, CHS_EPS_SCREW_RECIPROCAL + 3, height);
+    FN(chs_screw_reciprocal)(B, A, &other);
+    ASSERT_SAME_BITS(&product, &other, 1);
+  }
+}
+
+/* The same wherever both are seen from. */
+static void test_the_reciprocal_product_does_not_depend_on_the_frame(void) {
+  for (int k = 0; k < CASES; k++) {
+    real T[16], A[6], B[6], moved_a[6], moved_b[6], before, after;
+    cube_pose(k % CUBE_ROTATIONS, 99, T);
+    random_integers(-9, 9, 6, A);
+    random_integers(-9, 9, 6, B);
+    FN(chs_screw_reciprocal)(A, B, &before);
+    FN(chs_se3_adjoint_twist)(T, A, moved_a);
+    FN(chs_se3_adjoint_twist)(T, B, moved_b);
+    FN(chs_screw_reciprocal)(moved_a, moved_b, &after);
+    TEST_ASSERT_TRUE(before == after);
+  }
+}
+
+static void test_moving_along_a_screw_of_either_frame(void) {
+  /* The body frame lies at (1, 2, 0), its x axis along y; a quarter turn about its own z axis, and about the space's. */
+  const real T[16] = {0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 0, 0, 0, 0, 1}, z[6] = {0, 0, 1, 0, 0, 0};
+  const real body[16] = {-1, 0, 0, 1, 0, -1, 0, 2, 0, 0, 1, 0, 0, 0, 0, 1},
+             space[16] = {-1, 0, 0, -2, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
+  real moved[16];
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_move_body)(T, z, REAL_PI / 2, moved));
+  ASSERT_ENTRIES_WITHIN_EPS(body, moved, 16, CHS_EPS_SCREW_MOVE_TRANSLATION, 3);
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_move_space)(T, z, REAL_PI / 2, moved));
+  ASSERT_ENTRIES_WITHIN_EPS(space, moved, 16, CHS_EPS_SCREW_MOVE_TRANSLATION, 3);
+}
+
+static void test_a_screw_of_the_body_is_one_of_the_space_by_the_adjoint(void) {
+  for (int k = 0; k < CASES; k++) {
+    real T[16], S[6], in_space[6], A[16], B[16], theta = rounded(uniform(-3, 3));
+    random_pose(1, T);
+    random_vector(1, S);
+    random_vector(1, S + 3);
+    FN(chs_se3_adjoint_twist)(T, S, in_space);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_move_body)(T, S, theta, A));
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_move_space)(T, in_space, theta, B));
+    ASSERT_ENTRIES_WITHIN_EPS(A, B, 16, 2 * CHS_EPS_SCREW_MOVE_TRANSLATION + 10, 3 * (1 + 3));
+  }
+}
+
+static void test_moving_by_an_angle_beyond_the_range_is_refused(void) {
+  const real z[6] = {0, 0, 1, 1, 0, 0}, twice[6] = {0, 0, 4, 0, 0, 0}, up[6] = {0, 0, 0, 0, 0, 2};
+  real T[16];
+  ASSERT_REFUSES(CHS_ERR_ANGLE_RANGE, T, FN(chs_screw_move_body)(identity4, z, NEXT_AFTER(ANGLE_MAX, REAL_MAX), T));
+  ASSERT_REFUSES(CHS_ERR_ANGLE_RANGE, T, FN(chs_screw_move_space)(identity4, twice, REAL_MAX, T));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, T, FN(chs_screw_move_space)(identity4, up, REAL_MAX, T));
+}
+
+/* The worked examples of the lecture on screws, with digits that it rounds (the pitch of the first is printed 0.8275). */
+static void test_worked_example_screw_axis_of_a_pose(void) {
+  const real T[16] = {0, -1, 0, 3, 0, 0, -1, 0, 1, 0, 0, 0, 0, 0, 0, 1};
+  const double S_expected[6] = {0.577350269, -0.577350269, 0.577350269, 1.0548150985, -1.0548150985, -0.6772357091};
+  real V[6], S[6], rate, q[3], s[3], h, on_axis[3] = {1, 1, 0}, moment[3];
+  ASSERT_STATUS(CHS_OK, FN(chs_se3_log)(T, V));
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_normalize)(V, S, &rate));
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_parts)(S, q, s, &h));
+  for (int i = 0; i < 6; i++) TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, S_expected[i], (double)S[i]);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, 2 * PI / 3, (double)rate);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9 + 8 * EPS, 0.826993343, (double)h);
+  /* The lecture's q = (1, 1, 0) is a point of the axis as well. */
+  for (int i = 0; i < 3; i++) on_axis[i] -= q[i];
+  cross_of(on_axis, s, moment);
+  ASSERT_WITHIN_EPS(0, length_of(moment, 3), 16, 1);
+}
+
+static void test_worked_example_screw_axis_of_a_twist(void) {
+  const real V[6] = {0, 2, 2, 4, 0, 0};
+  const double root = sqrt(0.5), S_expected[6] = {0, root, root, 2 * root, 0, 0}, q_expected[3] = {0, 1, -1};
+  real S[6], rate, q[3], s[3], h;
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_normalize)(V, S, &rate));
+  ASSERT_WITHIN_EPS(2 * sqrt(2), rate, CHS_EPS_SCREW_NORMALIZE_RATE, 2 * sqrt(2));
+  for (int i = 0; i < 6; i++) ASSERT_WITHIN_EPS(S_expected[i], S[i], CHS_EPS_SCREW_NORMALIZE_TRANSLATION, 2);
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_parts)(S, q, s, &h));
+  ASSERT_WITHIN_EPS(0, h, CHS_EPS_SCREW_AXIS_PARTS_PITCH, 2);
+  for (int i = 0; i < 3; i++) {
+    ASSERT_WITHIN_EPS(q_expected[i], q[i], CHS_EPS_SCREW_AXIS_PARTS_POINT + 4, 2);
+    ASSERT_WITHIN_EPS(S_expected[i], s[i], CHS_EPS_SCREW_AXIS_PARTS_DIRECTION + 2, 1);
+  }
+}
+
+static void test_worked_example_motion_along_a_screw(void) {
+  const real V[6] = {0, 1, 2, 3, 0, 0};
+  const double expected[12] = {-0.6172728765, -0.7036898158, 0.3518449079,  1.0555347236, 0.7036898158, -0.2938183012,
+                               0.6469091506,  1.9407274517,  -0.3518449079, 0.6469091506, 0.6765454247, -0.9703637259};
+  real S[6], theta, T[16];
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_normalize)(V, S, &theta));
+  TEST_ASSERT_DOUBLE_WITHIN(1e-10 + 2 * EPS, 2.2360679775, (double)theta); /* the lecture rounds it to 2.23 */
+  ASSERT_STATUS(CHS_OK, FN(chs_screw_move_space)(identity4, S, theta, T));
+  for (int i = 0; i < 12; i++) TEST_ASSERT_DOUBLE_WITHIN(1e-10 + 16 * EPS, expected[i], (double)T[i]);
+}
+
 int main(void) {
   SUITE_BEGIN();
   RUN_CONTRACT_TESTS();
@@ -384,5 +639,21 @@ int main(void) {
   RUN_TEST(test_pitch_beyond_the_range_is_an_overflow);
   RUN_TEST(test_worked_example_pose_to_screw);
   RUN_TEST(test_worked_example_twist_to_screw);
+  RUN_TEST(test_joints_are_screws_of_pitch_zero_some_and_infinity);
+  RUN_TEST(test_a_joint_without_a_direction_or_with_a_pitch_that_is_no_number_is_refused);
+  RUN_TEST(test_axis_parts_take_back_what_helical_made);
+  RUN_TEST(test_a_screw_without_rotation_has_infinite_pitch_and_no_line);
+  RUN_TEST(test_normalize_parts_a_twist_into_axis_and_rate);
+  RUN_TEST(test_normalize_of_what_hardly_turns_or_does_not_move);
+  RUN_TEST(test_values_beyond_the_range_of_screw_axes_are_an_overflow);
+  RUN_TEST(test_the_adjoint_changes_the_frame_of_a_screw);
+  RUN_TEST(test_the_reciprocal_product_of_lines_is_their_moment);
+  RUN_TEST(test_the_reciprocal_product_does_not_depend_on_the_frame);
+  RUN_TEST(test_moving_along_a_screw_of_either_frame);
+  RUN_TEST(test_a_screw_of_the_body_is_one_of_the_space_by_the_adjoint);
+  RUN_TEST(test_moving_by_an_angle_beyond_the_range_is_refused);
+  RUN_TEST(test_worked_example_screw_axis_of_a_pose);
+  RUN_TEST(test_worked_example_screw_axis_of_a_twist);
+  RUN_TEST(test_worked_example_motion_along_a_screw);
   return SUITE_END();
 }

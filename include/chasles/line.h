@@ -43,8 +43,7 @@ int chs_line_from_directionf(const float p[3], const float d[3], float L[6]);
 
 /* Raw coordinates (q; q0) of a line made unit: direction q/|q| and moment q0/|q|, less what it has along the direction.
  * The error of the direction is absolute, that of the moment relative to |q0|/|q|.
- * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW, and CHS_ERR_SINGULAR where q is 0 or shorter than
- * the format's least normal number. */
+ * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW, and CHS_ERR_SINGULAR where q = 0. */
 #define CHS_EPS_LINE_NORMALIZE_DIRECTION 2.0
 #define CHS_EPS_LINE_NORMALIZE_MOMENT 4.0
 int chs_line_normalize(const double raw[6], double L[6]);
@@ -105,8 +104,8 @@ int chs_line_distancef(const float A[6], const float B[6], float *distance);
  * relative to M/s, for parallel lines the moment to M max(1, M/a) and the feet to M; the angle relative to itself; the
  * distance as above. Returns as chs_line_distance. */
 #define CHS_EPS_LINE_PERPENDICULAR_DIRECTION 6.0
-#define CHS_EPS_LINE_PERPENDICULAR_MOMENT 8.0
-#define CHS_EPS_LINE_PERPENDICULAR_FOOT 8.0
+#define CHS_EPS_LINE_PERPENDICULAR_MOMENT 10.0
+#define CHS_EPS_LINE_PERPENDICULAR_FOOT 10.0
 #define CHS_EPS_LINE_PERPENDICULAR_ANGLE 4.0
 #define CHS_EPS_LINE_PERPENDICULAR_DISTANCE 6.0
 int chs_line_perpendicular(const double A[6], const double B[6], double X[6], double foot_a[3], double foot_b[3],

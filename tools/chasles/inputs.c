@@ -268,6 +268,13 @@ static void make_screw(struct source *source, double *screw) {
   make_angle(source, screw + 7);
 }
 
+/* A pitch, a rate or a share of the way. */
+static void make_share(struct source *source, double *share) {
+  static const double usual[] = {0.0, 0.5, 1.0, -1.0};
+  *share = one_in(source, 4) ? usual[below(source, 4)] : number_of(source, any_magnitude(source));
+  if (one_in(source, 16)) *share = one_in(source, 2) ? (double)INFINITY : -(double)INFINITY;
+}
+
 /* A line of unit direction through a point of any size; one in sixteen has a direction of any length. */
 static void make_line(struct source *source, double *L) {
   int axis[3];
@@ -404,7 +411,7 @@ static const struct kind kinds[] = {
     {'x', 3, make_vector},   {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
     {'R', 9, make_rotation}, {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
     {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
-    {'D', 12, make_lines},   {'C', 59, make_chain},          {'m', 1, make_mode},
+    {'D', 12, make_lines},   {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
 };
 
 static const struct kind *find_kind(char letter) {

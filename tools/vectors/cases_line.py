@@ -117,8 +117,9 @@ def normalize_bands(fmt, rng):
         return fmt.round_all(d) + fmt.round_all(cross(point(fmt, rng, "ordinary"), d))
 
     tiny = ldexp(1, fmt.least)
-    bands = plane_bands(2)(fmt, rng) + [Band("ordinary", 120, raw, "raw")]
-    none = [[mpf(0)] * 3 + point(fmt, rng, "mixed", k) for k in range(4)] + [[tiny, mpf(0), -tiny] + [mpf(1)] * 3]
+    subnormal = [[tiny, mpf(0), -tiny] + fmt.round_all([x * tiny * 2**k for x in (5, 3, 2)]) for k in range(0, 100, 9)]
+    bands = plane_bands(2)(fmt, rng) + [Band("ordinary", 120, raw, "raw"), Listed("tiny", subnormal, "subnormal")]
+    none = [[mpf(0)] * 3 + point(fmt, rng, "mixed", k) for k in range(4)]
     reach = fmt.pick(mpf("1e200"), mpf("1e25"))
     overflow = [fmt.round_all([1 / reach, mpf(0), mpf(0), mpf(1), reach, mpf(0)])]
     return (

@@ -36,6 +36,11 @@ def algebra_bands(poses, vectors=0):
     return bands
 
 
+def twist_bands(twists):
+    """Bands of twists or wrenches, their halves of unrelated lengths of the band's own."""
+    return algebra_bands(0, 2 * twists)
+
+
 def evaluate_from_parts(fmt, x):
     return Result(exact.pose_matrix(x[0:9], x[9:12]), [mpf(0)])
 
