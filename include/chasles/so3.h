@@ -150,6 +150,28 @@ int chs_so3_deviationf(const float R[9], float *deviation);
 int chs_so3_check(const double R[9], double tolerance);
 int chs_so3_checkf(const float R[9], float tolerance);
 
+/* The rotation at which three equations hold, by Newton's method: the direct kinematics of a spherical robot that has no
+ * closed form, for one. The derivatives with respect to small turns, exp [w] R, are central differences; a step turns
+ * by at most 1/2 rad, and is halved until it comes nearer.
+ *
+ *   residual   writes f(R), three numbers, and returns a chs_status; an error of it ends the search and is returned.
+ *   context    is handed to it.
+ *   start      a rotation to within CHS_SO3_FAR. The solution found is that of its neighbourhood, not always the nearest.
+ *   tolerance  |f| that counts as solved, >= 0.
+ *   limit      the most steps, >= 0. A step calls the residual 7 to 16 times.
+ *   R          the rotation.
+ *   rest       |f| at it; may be NULL.
+ *
+ * Returns CHS_OK; CHS_ITERATION_LIMIT where no step left, or none to be found, brings |f| down to the tolerance, with
+ * the best R so far; CHS_ERR_SINGULAR where the derivatives leave a turn open; CHS_ERR_ARGUMENT; CHS_ERR_NAN and
+ * CHS_ERR_INFINITE also where f at the start is such; what CHS_SO3_FAR says; and the residual's errors. */
+typedef int chs_so3_residual(const double R[9], void *context, double f[3]);
+typedef int chs_so3_residualf(const float R[9], void *context, float f[3]);
+int chs_so3_solve(chs_so3_residual *residual, void *context, const double start[9], double tolerance, int limit,
+                  double R[9], double *rest);
+int chs_so3_solvef(chs_so3_residualf *residual, void *context, const float start[9], float tolerance, int limit,
+                   float R[9], float *rest);
+
 #ifdef __cplusplus
 }
 #endif

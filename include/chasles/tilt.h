@@ -61,6 +61,35 @@ int chs_tilt_to_rotationf(float azimuth, float tilt, float torsion, float R[9]);
 int chs_tilt_from_rotation(const double R[9], double *azimuth, double *tilt, double *torsion);
 int chs_tilt_from_rotationf(const float R[9], float *azimuth, float *tilt, float *torsion);
 
+/* How wrong a robot is whose joints are: the largest errors of its tool while each joint is off by at most its error.
+ * Over a grid of the error box, and from the best points of it uphill to points between, by turns along each joint.
+ *
+ *   robot    the robot's direct kinematics: writes the pose of the tool and returns a chs_status. In float the pose and
+ *            the joints are float.
+ *   context  is handed to it.
+ *   n        joints, at least 1.
+ *   joints   their nominal values [n].
+ *   errors   how far each may be off, either way [n], >= 0.
+ *   steps    points of the grid along each joint, at least 2, the ends of its interval among them; the robot is called
+ *            for all steps^n, which may be 2^30 at most.
+ *   refine   how often the search after the grid halves its step, from the grid's; 0 for the grid alone.
+ *   scratch  CHS_TILT_WORST_SCRATCH(n) numbers.
+ *   worst    the largest alpha and the largest beta of chs_tilt_error against the nominal pose, and the largest distance
+ *            of the two origins.
+ *   where    the joint values that gave them [3 n], n each; may be NULL.
+ *
+ * Near the robot's accuracy of a few eps of an angle, nothing is known of the errors.
+ * Returns CHS_OK, or the first positive status of the robot or of chs_tilt_error on the way; CHS_ERR_ARGUMENT,
+ * CHS_ERR_NAN, CHS_ERR_INFINITE of joints and errors; and the first error of the robot or of chs_tilt_error, so that a
+ * box that reaches a singularity is told. */
+#define CHS_TILT_WORST_SCRATCH(n) (4 * (n))
+typedef int chs_tilt_robot(const double *joints, void *context, double T[16]);
+typedef int chs_tilt_robotf(const float *joints, void *context, float T[16]);
+int chs_tilt_worst(chs_tilt_robot *robot, void *context, int n, const double *joints, const double *errors, int steps,
+                   int refine, double *scratch, double worst[3], double *where);
+int chs_tilt_worstf(chs_tilt_robotf *robot, void *context, int n, const float *joints, const float *errors, int steps,
+                    int refine, float *scratch, float worst[3], float *where);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,2 @@
+#define CHS_SINGLE
+#include "so3_solve.c"
