@@ -38,10 +38,9 @@ static double difference(double got, double high, double low) {
   return isfinite(got) ? fabs((got - high) - low) : (double)INFINITY;
 }
 
-/* The error of a group in eps of the format. Each difference is divided by the scale before it is squared, so that
- * nothing underflows or overflows on the way. A scale of 0 demands equality. */
-static double group_error(const struct group *group, enum precision precision, const struct vector_case *record,
-                          double scale, const double *got) {
+/* Each difference is divided by the scale before it is squared, so that nothing underflows or overflows on the way. */
+double group_error(const struct group *group, enum precision precision, const struct vector_case *record, double scale,
+                   const double *got) {
   double largest = 0.0;
   double squares = 0.0;
   for (int i = 0; i < group->count; ++i) {

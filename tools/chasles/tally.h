@@ -68,4 +68,8 @@ void tally_sort(struct tally *tally);
 
 double row_mean(const struct row *row);
 
+/* The error of a group of outputs in eps of the format. A scale of 0 demands equality. */
+double group_error(const struct group *group, enum precision precision, const struct vector_case *record, double scale,
+                   const double *got);
+
 #endif

@@ -1,0 +1,2 @@
+def measure(d): return {}
+def describe(b, r): return ""

@@ -1,0 +1,18 @@
+/* scenes.hpp - what the benchmark runs beside the single functions: a robot, a cloud of points. */
+#ifndef SCENES_HPP
+#define SCENES_HPP
+
+constexpr int scene_points = 100;
+
+/* The arm: a UR5 by the maker's Denavit-Hartenberg parameters (Universal Robots, "DH parameters for calculations of
+ * kinematics and dynamics"): Rz(q) Tz(d) Tx(a) Rx(alpha), joint after joint. Metres, and quarter turns for alpha. */
+constexpr int scene_joints = 6;
+struct joint {
+  double a;
+  double d;
+  int quarter_turns;
+};
+constexpr joint scene_arm[scene_joints] = {{0.0, 0.089159, 1}, {-0.425, 0.0, 0},   {-0.39225, 0.0, 0},
+                                           {0.0, 0.10915, 1},  {0.0, 0.09465, -1}, {0.0, 0.0823, 0}};
+
+#endif
