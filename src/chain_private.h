@@ -2,14 +2,7 @@
 #ifndef CHASLES_CHAIN_PRIVATE_H
 #define CHASLES_CHAIN_PRIVATE_H
 
-#include "real.h"
-
-/* gcc's vectoriser of loops fuses a*b -+ c of neighbouring results just as that of straight-line code does: see real.h.
- * Before the other headers, so that their functions are compiled alike and can be inlined. */
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-tree-loop-vectorize")
-#endif
-
+#include "linear.h"
 #include "pose.h"
 #include "rotation.h"
 #include <chasles/chain.h>

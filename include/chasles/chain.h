@@ -1,4 +1,4 @@
-/* chasles/chain.h - serial chains as products of exponentials: forward kinematics, Jacobians.
+/* chasles/chain.h - serial chains as products of exponentials: forward kinematics, Jacobians, statics, joint rates.
  *
  * The methods are those of Brockett 1984 and of Lynch & Park, Modern Robotics (2017), chapters 4 to 6. A joint is its
  * screw axis S = (omega; v), three numbers each, at q = 0:
@@ -11,8 +11,8 @@
  * length of omega, and any of v where omega = 0, is a gear ratio: the joint moves by exp([S] q) as it stands.
  *
  * Matrices of a chain of n joints are row-major: a Jacobian J is double[6*n], J[n*i + j] row i, column j. Outputs may
- * overlap the joint values q, but neither the chain and its arrays nor scratch memory. chasles.h has the conventions
- * that all headers share.
+ * overlap joint values, twists and wrenches, but neither the chain and its arrays, nor J, nor scratch memory.
+ * chasles.h has the conventions that all headers share.
  *
  * The reach of a chain at q, to which errors of lengths are relative, is |p| of the home pose plus, for each joint,
  * the distance of its axis from the origin of the frame in which it is given plus |h| max(1, |q|), or |v| max(1, |q|)
@@ -95,6 +95,101 @@ int chs_chain_space_jacobian(const chs_chain *chain, const double *q, double *J,
 int chs_chain_space_jacobianf(const chs_chainf *chain, const float *q, float *J, float T[16]);
 int chs_chain_body_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);
 int chs_chain_body_jacobianf(const chs_chainf *chain, const float *q, float *J, float T[16]);
+
+/* tau = J^T F, the torques (forces, of prismatic joints) that hold the wrench F = (moment; force) which the tool exerts,
+ * and V = J qdot. J, F and V are of one frame, fixed or the tool's.
+ *
+ * The error of each torque is relative to |J| |F|, that of the twist to n |J| |qdot|. */
+#define CHS_EPS_CHAIN_TORQUES 4.0
+#define CHS_EPS_CHAIN_TWIST 1.0
+void chs_chain_torques(int joints, const double *J, const double F[6], double *torques);
+void chs_chain_torquesf(int joints, const float *J, const float F[6], float *torques);
+void chs_chain_twist(int joints, const double *J, const double *rates, double V[6]);
+void chs_chain_twistf(int joints, const float *J, const float *rates, float V[6]);
+
+/* How many numbers of scratch memory the functions below need for n joints. What it holds does not matter. */
+#define CHS_CHAIN_SCRATCH(n) (7 * ((n) > 6 ? (n) : 6))
+
+/* The singular values of J, by one-sided Jacobi rotations of its rows, or of its columns where n < 6.
+ *
+ *   length   a characteristic length, above 0, by which the last three rows are divided first: they are lengths a
+ *            radian where the first three are numbers, so that singular values, rank, manipulability and condition
+ *            number depend on the unit of length. 1 leaves J as it is.
+ *   scratch  [CHS_CHAIN_SCRATCH(n)]
+ *   sigma    in descending order; the last 6 - n are 0 where n < 6.
+ *
+ * The errors are relative to sigma[0].
+ * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1 or not length > 0; CHS_ERR_NAN, CHS_ERR_INFINITE; CHS_ERR_OVERFLOW. */
+#define CHS_EPS_CHAIN_SINGULAR_VALUES 8.0
+int chs_chain_singular_values(int joints, const double *J, double length, double *scratch, double sigma[6]);
+int chs_chain_singular_valuesf(int joints, const float *J, float length, float *scratch, float sigma[6]);
+
+/* The rank of J: how many singular values are above 8 max(n, 6) eps sigma[0], which is what the rounding errors of a
+ * Jacobian may amount to. Arguments and answers as above. */
+int chs_chain_rank(int joints, const double *J, double length, double *scratch, int *rank);
+int chs_chain_rankf(int joints, const float *J, float length, float *scratch, int *rank);
+
+/* Yoshikawa's manipulability, sqrt(det(J J^T)), the product of the six singular values; where n < 6, sqrt(det(J^T J)),
+ * that of the n. The error is relative to that product with its smallest factor replaced by the largest. Arguments and
+ * answers as above. */
+#define CHS_EPS_CHAIN_MANIPULABILITY 24.0
+int chs_chain_manipulability(int joints, const double *J, double length, double *scratch, double *manipulability);
+int chs_chain_manipulabilityf(int joints, const float *J, float length, float *scratch, float *manipulability);
+
+/* The condition number of J, the largest over the smallest of its min(n, 6) singular values: 1 where the tool moves in
+ * all directions alike. The error is relative to the square of it. Arguments and answers as above, and CHS_ERR_SINGULAR
+ * where the rank is less than min(n, 6). */
+#define CHS_EPS_CHAIN_CONDITION 16.0
+int chs_chain_condition(int joints, const double *J, double length, double *scratch, double *condition);
+int chs_chain_conditionf(int joints, const float *J, float length, float *scratch, float *condition);
+
+/* det J of six joints, by elimination. The error is relative to the product of the lengths of the columns, which bounds
+ * the determinant.
+ * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, and CHS_ERR_OVERFLOW where that product is beyond the format. */
+#define CHS_EPS_CHAIN_DETERMINANT 16.0
+int chs_chain_determinant(const double J[36], double *determinant);
+int chs_chain_determinantf(const float J[36], float *determinant);
+
+/* The joint rates of a twist for six joints, J^-1 V, by elimination with row interchanges.
+ *
+ * The error is relative to |rates| times the condition number of J.
+ * Returns CHS_OK; CHS_ERR_SINGULAR where a column is a combination of those before it to within rounding, 64 eps of its
+ * length; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
+#define CHS_EPS_CHAIN_RATES_INVERSE 16.0
+int chs_chain_rates_inverse(const double J[36], const double V[6], double *rates);
+int chs_chain_rates_inversef(const float J[36], const float V[6], float *rates);
+
+/* The joint rates J^+ V, by the pseudoinverse: of all that come nearest to the twist V the smallest. Singular values
+ * that do not count for chs_chain_rank count as 0 here.
+ *
+ *   length, scratch  as above. Where J has rank 6 the length makes no difference; otherwise nearest means the smallest
+ *                    |omega|^2 + |v / length|^2 of what is missing.
+ *
+ * With s the smallest singular value that counts the error is relative to sigma[0] |V| / s^2, V with v / length for v.
+ * Returns CHS_OK; CHS_NEAR_SINGULAR where the rank is less than min(n, 6); and as above. */
+#define CHS_EPS_CHAIN_RATES_PSEUDOINVERSE 16.0
+int chs_chain_rates_pseudoinverse(int joints, const double *J, const double V[6], double length, double *scratch,
+                                  double *rates);
+int chs_chain_rates_pseudoinversef(int joints, const float *J, const float V[6], float length, float *scratch,
+                                   float *rates);
+
+/* The joint rates of damped least squares, J^T (J J^T + lambda^2 I)^-1 V: they stay below |V| / (2 lambda) also where J
+ * is singular.
+ *
+ *   damping  lambda, above 0, in the unit of the singular values.
+ *   near     0: lambda = damping at all times. Above 0: lambda follows the smallest of the min(n, 6) singular values,
+ *            lambda^2 = damping^2 (1 - (sigma_min / near)^2) where that is below `near`, and no damping elsewhere
+ *            (Nakamura & Hanafusa 1986, Chiaverini 1997).
+ *
+ * With s^2 = sigma_min^2 + lambda^2 the error is relative to sigma[0] |V| / s^2, times 1 + (damping / near)^2 where
+ * lambda follows.
+ * Returns CHS_OK; CHS_NEAR_SINGULAR where lambda follows and is not 0; CHS_ERR_ARGUMENT also for a damping that is not
+ * above 0 or a `near` below 0; and as above. */
+#define CHS_EPS_CHAIN_RATES_DAMPED 16.0
+int chs_chain_rates_damped(int joints, const double *J, const double V[6], double length, double damping, double near,
+                           double *scratch, double *rates);
+int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float length, float damping, float near,
+                            float *scratch, float *rates);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,29 @@ static int LOCAL(chain_jacobian)(int (*method)(const CHAIN *, const REAL *, REAL
   return method(&chain, in + 53, out, out + 36);
 }
 
+static int LOCAL(jacobian_value)(int (*method)(int, const REAL *, REAL, REAL *, REAL *), const REAL *in, REAL *out) {
+  REAL scratch[CHS_CHAIN_SCRATCH(6)];
+  return method(6, in, in[36], scratch, out);
+}
+
+static int LOCAL(jacobian_rank)(const REAL *in, REAL *out) {
+  REAL scratch[CHS_CHAIN_SCRATCH(6)];
+  int rank = 0;
+  const int status = LIB(chain_rank)(6, in, in[36], scratch, &rank);
+  if (status >= 0) out[0] = (REAL)rank;
+  return status;
+}
+
+static int LOCAL(pseudoinverse)(const REAL *in, REAL *out) {
+  REAL scratch[CHS_CHAIN_SCRATCH(7)];
+  return LIB(chain_rates_pseudoinverse)(7, in, in + 42, in[48], scratch, out);
+}
+
+static int LOCAL(damped)(const REAL *in, REAL *out) {
+  REAL scratch[CHS_CHAIN_SCRATCH(7)];
+  return LIB(chain_rates_damped)(7, in, in + 42, in[48], in[49], in[50], scratch, out);
+}
+
 /* An integer argument from a flat array: one that no function takes where the number is none. */
 static int LOCAL(whole)(REAL x) { return x > -1000 && x < 1000 ? (int)x : -1000; }
 

@@ -395,6 +395,28 @@ static void make_chain(struct source *source, double *chain) {
   for (int i = 0; i < 6; ++i) make_angle(source, chain + 53 + i);
 }
 
+/* Six columns: of a chain, which may be singular, or any numbers, or the one column twice. */
+static void make_jacobian(struct source *source, double *J) {
+  double chain[59];
+  double answer[MAX_OUTPUTS];
+  const bool twice = one_in(source, 8);
+  make_numbers(source, J, 36);
+  make_chain(source, chain);
+  memcpy(answer, J, 36 * sizeof *J);
+  if (one_in(source, 2)) call_library(source, "chain_space_jacobian", chain, answer);
+  memcpy(J, answer, 36 * sizeof *J);
+  for (int row = 0; row < 6 && twice; ++row) J[6 * row + 5] = J[6 * row + 2];
+}
+
+static void make_wide_jacobian(struct source *source, double *J) {
+  double six[36];
+  make_jacobian(source, six);
+  for (int row = 0; row < 6; ++row) {
+    memcpy(J + 7 * row, six + 6 * row, 6 * sizeof *J);
+    J[7 * row + 6] = number_of(source, ORDINARY);
+  }
+}
+
 /* The number of a mode, 0 to 7, now and then of none. */
 static void make_mode(struct source *source, double *mode) {
   *mode = one_in(source, 16) ? 8 - 9 * below(source, 2) : below(source, 8);
@@ -408,10 +430,11 @@ struct kind {
 };
 
 static const struct kind kinds[] = {
-    {'x', 3, make_vector},   {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
-    {'R', 9, make_rotation}, {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
-    {'S', 8, make_screw},    {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
-    {'D', 12, make_lines},   {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
+    {'x', 3, make_vector},    {'w', 3, make_rotation_vector}, {'a', 1, make_angle},     {'M', 9, make_matrix},
+    {'R', 9, make_rotation},  {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
+    {'S', 8, make_screw},     {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
+    {'D', 12, make_lines},    {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
+    {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -1,13 +1,13 @@
-"""chain.h: products of exponentials of six joints."""
+"""chain.h: products of exponentials of six joints, and what follows from their Jacobians."""
 
-from mpmath import mpf, pi
+from mpmath import mp, mpf, pi, sqrt
 
 import chains
 import exact
 import sampling
 from exact import norm, times
 from sampling import direction, magnitude, point, sign, uniform
-from vectors import Band, Errors, Function, Group, Listed, Result
+from vectors import Band, Errors, Function, Group, Listed, Result, Unclear, all_outputs
 
 JOINTS = 6
 INPUTS = 6 * JOINTS + 16 + 1 + JOINTS  # screws, home, form, joint values
@@ -67,7 +67,9 @@ def bands_of(counts):
 
         listed = [Band(name, count, of_lengths(name)) for name, count in counts.items() if name in sampling.LENGTHS]
         listed += [
-            Band(name, count, of_angles(name), "angles_" + name) for name, count in counts.items() if name in sampling.ANGLES
+            Band(name, count, of_angles(name), "angles_" + name)
+            for name, count in counts.items()
+            if name in sampling.ANGLES
         ]
         base = [mpf(x) for x in UR5_SCREWS + UR5_HOME + (0,)]
         base = fmt.round_all(base)
@@ -99,7 +101,17 @@ UR5_SCREWS = (
 )
 UR5_HOME = (-1, 0, 0, "0.817", 0, 0, 1, "0.191", 0, 1, 0, "-0.006", 0, 0, 0, 1)
 
-FEW = {"ordinary": 16, "large": 8, "small": 8, "mixed": 8, "tiny": 8, "moderate": 8, "near_pi": 8, "beyond_pi": 8, "far": 8}
+FEW = {
+    "ordinary": 16,
+    "large": 8,
+    "small": 8,
+    "mixed": 8,
+    "tiny": 8,
+    "moderate": 8,
+    "near_pi": 8,
+    "beyond_pi": 8,
+    "far": 8,
+}
 COUNTS = {**{name: 2 * count for name, count in FEW.items()}, "at_pi": 16}
 
 
@@ -152,9 +164,281 @@ JACOBIAN = [
     Group("linear", "max", range(3 * JOINTS, 6 * JOINTS)),
 ] + pose_groups(6 * JOINTS)
 
+
+# Statics and joint rates: J, twists or wrenches, lengths and dampings
+
+
+def random_orthogonal(rng, n):
+    """Columns of an orthogonal matrix, by Gram and Schmidt."""
+    columns = []
+    while len(columns) < n:
+        v = [sampling.gaussian_like(rng) for _ in range(n)]
+        for c in columns:
+            v = exact.subtract(v, times(exact.dot(v, c), c))
+        if norm(v) > 0.1:
+            columns.append(exact.unit(v))
+    return columns
+
+
+def conditioned(rng, n, smallest):
+    """A 6 x n matrix whose singular values reach from 1 down to `smallest`, row-major."""
+    U, V = random_orthogonal(rng, 6), random_orthogonal(rng, n)
+    values = [mpf(1)] + [magnitude(rng, smallest, 1) for _ in range(min(n, 6) - 2)] + [mpf(smallest)]
+    return [sum(s * u[i] * v[j] for s, u, v in zip(values, U, V)) for i in range(6) for j in range(n)]
+
+
+UNITS = {"ordinary": ("1", "1"), "large": ("1e45", "1e5"), "small": ("1e-45", "1e-5")}
+
+
+def unit_of_length(fmt, band):
+    return mpf(fmt.pick(*UNITS[band]))
+
+
+def jacobian(fmt, rng, n, band, k):
+    """One with a large condition number, a general matrix, or that of a chain with unit axes; n is 6 or 7."""
+    if k % 3 == 0:
+        J = conditioned(rng, n, magnitude(rng, fmt.pick(1e-12, 1e-4), 1))
+    elif k % 3 == 1:
+        J = [sampling.gaussian_like(rng) for _ in range(6 * n)]
+    else:
+        screws, home, body, _ = parts(chain(fmt, rng, "ordinary", 0, odd=False) + [mpf(0)] * JOINTS)
+        q = [uniform(rng, -pi, pi) for _ in screws]
+        columns = chains.space_columns(fmt, screws, home, body, q)
+        J = chains.matrix_of(columns + [direction(rng) + direction(rng) for _ in range(n - JOINTS)])
+    lengths = unit_of_length(fmt, band) * magnitude(rng, "0.1", "10")
+    return fmt.round_all([x if i < 3 * n else lengths * x for i, x in enumerate(J)])
+
+
+def twist(fmt, rng, band="ordinary"):
+    lengths = unit_of_length(fmt, band) * magnitude(rng, "0.1", "10")
+    return fmt.round_all(direction(rng) + sampling.vector(rng, lengths))
+
+
+def statics_bands(n, tail, bad=(), counts=(("ordinary", 60), ("large", 21), ("small", 21))):
+    """J of n joints and what `tail` adds to it; `bad` lists tails that must be refused as arguments."""
+
+    def bands(fmt, rng):
+        def build(band):
+            return lambda fmt, rng, k: jacobian(fmt, rng, n, band, k) + tail(fmt, rng, band, k)
+
+        base = jacobian(fmt, rng, n, "ordinary", 1) + tail(fmt, rng, "ordinary", 0)
+        read = [0, n + 1, 6 * n - 1] + list(range(6 * n, len(base)))
+        refused = [base[: 6 * n] + list(tail(fmt, rng, "ordinary", 0)[: -len(end)]) + list(end) for end in bad]
+        listed = [Band(name, count, build(name)) for name, count in counts]
+        listed += sampling.spoilt(base, read)
+        return listed + ([Errors(-11, refused, "argument")] if bad else [])
+
+    return bands
+
+
+def plain_bands(n, tail):
+    """Those of plain algebra, which has no errors."""
+    return lambda fmt, rng: statics_bands(n, tail)(fmt, rng)[:3]
+
+
+def length_tail(fmt, rng, band, k):
+    return [
+        mpf(1) if k % 2 and band == "ordinary" else fmt.round(unit_of_length(fmt, band) * magnitude(rng, "0.1", "10"))
+    ]
+
+
+def no_tail(fmt, rng, band, k):
+    return []
+
+
+def twist_tail(fmt, rng, band, k):
+    return twist(fmt, rng, band)
+
+
+def rates_tail(fmt, rng, band, k):
+    return twist(fmt, rng, band) + length_tail(fmt, rng, band, k)
+
+
+def damped_tail(fmt, rng, band, k):
+    near = mpf(0) if k % 2 else magnitude(rng, 1e-4, 1)
+    return rates_tail(fmt, rng, band, k) + fmt.round_all([magnitude(rng, 1e-4, 1) * (near or 1), near])
+
+
+def divided(J, n, length):
+    """J with its last three rows divided by the length, as an mpmath matrix."""
+    return mp.matrix([[J[n * i + j] / (length if i >= 3 else 1) for j in range(n)] for i in range(6)])
+
+
+def singular_values(A):
+    """Descending; for a wide or tall matrix the min(6, n) of them."""
+    with mp.workprec(2 * exact.BASE_BITS):
+        wide = A.cols > A.rows
+        return sorted(mp.svd_r(A.T if wide else A, compute_uv=False), reverse=True)
+
+
+def noise_of(fmt, n):
+    return 8 * max(n, 6) * fmt.eps
+
+
+def rank_of(fmt, n, sigma):
+    limit = noise_of(fmt, n) * sigma[0]
+    if any(limit / 4 < s < 4 * limit for s in sigma):
+        raise Unclear
+    return sum(s > limit for s in sigma)
+
+
+def row_lengths(J, n):
+    return [norm(J[n * i : n * i + n]) for i in range(6)]
+
+
+def evaluate_torques(fmt, x):
+    J, F = x[:36], x[36:]
+    return Result([exact.dot(J[j::6], F) for j in range(6)], [max(norm(J[j::6]) for j in range(6)) * norm(F)])
+
+
+def evaluate_twist(fmt, x):
+    J, rates = x[:36], x[36:]
+    return Result(exact.apply6(J, rates), [6 * max(row_lengths(J, 6)) * norm(rates)])
+
+
+def evaluate_singular_values(fmt, x):
+    sigma = singular_values(divided(x[:36], 6, x[36]))
+    return Result(sigma, [sigma[0]])
+
+
+def evaluate_rank(fmt, x):
+    return Result([mpf(rank_of(fmt, 6, singular_values(divided(x[:36], 6, x[36]))))], [mpf(0)])
+
+
+def evaluate_manipulability(fmt, x):
+    sigma = singular_values(divided(x[:36], 6, x[36]))
+    first = mp.fprod(sigma[:-1])
+    return Result([first * sigma[-1]], [first * sigma[0]])
+
+
+def evaluate_condition(fmt, x):
+    sigma = singular_values(divided(x[:36], 6, x[36]))
+    if rank_of(fmt, 6, sigma) < 6:
+        raise Unclear
+    condition = sigma[0] / sigma[-1]
+    return Result([condition], [condition**2])
+
+
+def determinant(J):
+    """By Laplace's expansion: that of the first rows and any as many columns from those of a row less."""
+    with mp.workprec(exact.ALGEBRA_BITS):
+        minors = {(): mpf(1)}
+        for i in range(6):
+            larger = {}
+            for columns, minor in minors.items():
+                for j in set(range(6)) - set(columns):
+                    crossed = sum(c > j for c in columns)
+                    chosen = tuple(sorted(columns + (j,)))
+                    larger[chosen] = larger.get(chosen, 0) + (-1) ** crossed * minor * J[6 * i + j]
+            minors = larger
+        return minors[tuple(range(6))]
+
+
+def evaluate_determinant(fmt, J):
+    return Result([determinant(J)], [mp.fprod(norm(J[j::6]) for j in range(6))])
+
+
+def evaluate_rates_inverse(fmt, x):
+    with mp.workprec(2 * exact.BASE_BITS):
+        # Elimination does not care in which unit lengths are; the condition number does.
+        every = [singular_values(divided(x[:36], 6, unit)) for unit in units_of(x[:36])]
+        if all(sigma[-1] * 1000 < sigma[0] * fmt.eps * 1000**2 for sigma in every):
+            raise Unclear
+        condition = min(sigma[0] / sigma[-1] for sigma in every if sigma[-1] > 0)
+        rates = list(mp.lu_solve(divided(x[:36], 6, 1), mp.matrix(x[36:])))
+        return Result(rates, [condition * norm(rates)])
+
+
+def units_of(J):
+    rows = row_lengths(J, 6)
+    return [mpf(1), max(rows[3:]) / max(rows[:3])]
+
+
+def damped_solution(A, V, weight):
+    """x = sum of weight(sigma_i) v_i (u_i . V), A = sum of sigma_i u_i v_i^T, from the eigenvectors of A A^T."""
+    with mp.workprec(4 * exact.BASE_BITS):
+        values, U = mp.eigsy(A * A.T)
+        x = mp.matrix(A.cols, 1)
+        for i in range(6):
+            u = U[:, i]
+            sigma = sqrt(abs(values[i]))
+            factor = weight(sigma)
+            if factor:
+                x += (A.T * u) * (factor / sigma * (u.T * V)[0])
+        return list(x)
+
+
+def scaled_twist(V, length):
+    return mp.matrix(V[:3] + [v / length for v in V[3:]])
+
+
+def evaluate_rates_pseudoinverse(fmt, x):
+    n, V, length = 7, x[42:48], x[48]
+    A, scaled = divided(x[:42], n, length), scaled_twist(V, length)
+    sigma = singular_values(A)
+    rank = rank_of(fmt, n, sigma)
+    limit = noise_of(fmt, n) * sigma[0]
+    rates = damped_solution(A, scaled, lambda s: 1 / s if s > limit else 0)
+    scale = sigma[0] * norm(list(scaled)) / sigma[rank - 1] ** 2
+    return Result(rates, [scale], (0,) if rank == 6 else (13,))
+
+
+def evaluate_rates_damped(fmt, x):
+    n, V, length, damping, near = 7, x[42:48], *x[48:51]
+    A, scaled = divided(x[:42], n, length), scaled_twist(V, length)
+    sigma = singular_values(A)
+    square, statuses, growth = damping**2, (0,), mpf(1)
+    if near:
+        gap = 1 - (sigma[-1] / near) ** 2
+        if abs(gap) < mpf(1) / 1000:
+            raise Unclear
+        square = square * gap if gap > 0 else mpf(0)
+        statuses = (13,) if gap > 0 else (0,)
+        growth += (damping / near) ** 2
+    rates = damped_solution(A, scaled, lambda s: s / (s**2 + square))
+    scale = sigma[0] * norm(list(scaled)) / (sigma[-1] ** 2 + square)
+    return Result(rates, [growth * scale], statuses)
+
+
+BAD_LENGTHS = [(mpf(0),), (mpf(-1),)]
+BAD_DAMPINGS = [
+    (mpf(0), mpf(0)),
+    (mpf(-1), mpf(0)),
+    (mpf(1), mpf(-1)),
+    (mpf(0), mpf(1), mpf(1)),
+    (mpf(-2), mpf(1), mpf(1)),
+]
+J_AND_LENGTH = statics_bands(6, length_tail, BAD_LENGTHS)
+
 FUNCTIONS = [
     Function("chain_fk", INPUTS, pose_groups(0), evaluate_fk, bands_of(COUNTS)),
     Function("chain_links", INPUTS, pose_groups(0, "max", JOINTS), evaluate_links, bands_of(FEW)),
     Function("chain_space_jacobian", INPUTS, JACOBIAN, evaluate_jacobian(chains.space_columns), bands_of(FEW)),
     Function("chain_body_jacobian", INPUTS, JACOBIAN, evaluate_jacobian(chains.body_columns), bands_of(FEW)),
+    Function("chain_torques", 42, all_outputs("torques", "max", 6), evaluate_torques, plain_bands(6, twist_tail)),
+    Function("chain_twist", 42, all_outputs("twist", "max", 6), evaluate_twist, plain_bands(6, twist_tail)),
+    Function("chain_singular_values", 37, all_outputs("sigma", "max", 6), evaluate_singular_values, J_AND_LENGTH),
+    Function("chain_rank", 37, [Group("rank", "max", [0])], evaluate_rank, J_AND_LENGTH),
+    Function("chain_manipulability", 37, [Group("product", "max", [0])], evaluate_manipulability, J_AND_LENGTH),
+    Function("chain_condition", 37, [Group("condition", "max", [0])], evaluate_condition, J_AND_LENGTH),
+    Function(
+        "chain_determinant", 36, [Group("determinant", "max", [0])], evaluate_determinant, statics_bands(6, no_tail)
+    ),
+    Function(
+        "chain_rates_inverse", 42, all_outputs("rates", "norm", 6), evaluate_rates_inverse, statics_bands(6, twist_tail)
+    ),
+    Function(
+        "chain_rates_pseudoinverse",
+        49,
+        all_outputs("rates", "norm", 7),
+        evaluate_rates_pseudoinverse,
+        statics_bands(7, rates_tail, BAD_LENGTHS),
+    ),
+    Function(
+        "chain_rates_damped",
+        51,
+        all_outputs("rates", "norm", 7),
+        evaluate_rates_damped,
+        statics_bands(7, damped_tail, BAD_DAMPINGS),
+    ),
 ]
