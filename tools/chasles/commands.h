@@ -2,10 +2,12 @@
 #ifndef COMMANDS_H
 #define COMMANDS_H
 
+int agile_eye_command(int argc, char **argv);
 int compare_command(int argc, char **argv);
 int hash_command(int argc, char **argv);
 int solve_command(int argc, char **argv);
 
+extern const char agile_eye_help[];
 extern const char compare_help[];
 extern const char hash_help[];
 extern const char solve_help[];

@@ -14,6 +14,7 @@ static const char help[] =
     "subcommands:\n"
     "  compare DIR_OR_FILE...  compare the library with reference vectors and print the errors\n"
     "  solve FILE.csv          find the screw motion of a body from three measured markers\n"
+    "  agile-eye               map the rotational errors of the Agile Eye over its orientations\n"
     "  hash                    print one hash of the bits of all results over a large set of inputs\n"
     "  help [SUBCOMMAND]       print this help, or that of a subcommand\n"
     "\n"
@@ -36,6 +37,7 @@ struct command {
 static const struct command commands[] = {
     {"compare", compare_command, compare_help},
     {"solve", solve_command, solve_help},
+    {"agile-eye", agile_eye_command, agile_eye_help},
     {"hash", hash_command, hash_help},
 };
 

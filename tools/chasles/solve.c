@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "angles.h"
 #include "commands.h"
 #include "markers.h"
 #include "text.h"
@@ -173,8 +174,6 @@ static void print_quoted(FILE *file, const char *text) {
   }
   fputc('"', file);
 }
-
-static double in_degrees(double radians) { return radians * (180.0 / 3.14159265358979323846); }
 
 /* "point_x" with the unit of the file: "point_x_m" */
 static void print_title(FILE *file, int width, const char *title, const char *unit) {

@@ -1,0 +1,64 @@
+/* angles.c - see angles.h. */
+#include "angles.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+double in_degrees(double radians) { return radians * (180.0 / pi); }
+
+double in_radians(double degrees) { return degrees * (pi / 180.0); }
+
+/* The decimal number that the text starts with; *end is what follows it. strtod takes blanks, hexadecimal digits,
+ * infinities and NaN too: none of them is meant here. */
+static bool read_leading_number(const char *text, const char **end, double *value) {
+  char *after;
+  *value = strtod(text, &after);
+  *end = after;
+  return after != text && (size_t)(after - text) <= strspn(text, "+-.0123456789eE") && isfinite(*value);
+}
+
+bool read_number(const char *text, double *value) {
+  const char *end;
+  return read_leading_number(text, &end, value) && *end == '\0';
+}
+
+bool read_angle(const char *text, double *radians) {
+  const char *unit;
+  double value;
+  if (!read_leading_number(text, &unit, &value)) return false;
+  const bool degrees = strcmp(unit, "deg") == 0;
+  *radians = degrees ? in_radians(value) : value;
+  return degrees || strcmp(unit, "rad") == 0;
+}
+
+/* The numbers after the last one, up to `end`, by the step between the last two; the new count, or 0. */
+static int fill_in(double *values, int count, int most, double end) {
+  if (count < 2) return 0;
+  const double start = values[count - 1];
+  const double step = start - values[count - 2];
+  const double steps = floor((end - start) / step + 1e-9);
+  if (!(steps >= 1.0 && steps <= most - count)) return 0;
+  for (int i = 1; i <= (int)steps; ++i) values[count++] = start + i * step;
+  return count;
+}
+
+int read_number_list(const char *text, double *values, int most) {
+  int count = 0;
+  for (;;) {
+    const bool fills = strncmp(text, "...,", 4) == 0;
+    double value;
+    if (!read_leading_number(fills ? text + 4 : text, &text, &value)) return 0;
+    if (fills) {
+      count = fill_in(values, count, most, value);
+      if (count == 0) return 0;
+    } else {
+      if (count == most) return 0;
+      values[count++] = value;
+    }
+    if (*text == '\0') return count;
+    if (*text++ != ',') return 0;
+  }
+}
