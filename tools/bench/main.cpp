@@ -126,6 +126,22 @@ double seconds_of(task &task, int passes) {
   return std::chrono::duration<double>(clock::now() - start).count() / passes;
 }
 
+/* A cycle, if the processor adds integers in one: the time of a dependent addition. */
+double nanoseconds_of_a_cycle() {
+  constexpr int additions = 4000000;
+  double least = 1.0;
+  for (int trial = 0; trial < 9; ++trial) {
+    const auto start = std::chrono::steady_clock::now();
+    std::uint64_t sum = 0;
+    for (int i = 0; i < additions; ++i) {
+      sum += 3;
+      __asm__ volatile("" : "+r"(sum));
+    }
+    least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return least / additions * 1e9;
+}
+
 /* Inputs of the random kinds; where a kind has none, reference vectors drawn at random. */
 std::vector<double> inputs_of(const contest &contest, angles set, int cases) {
   const subject &what = contest.what;
@@ -155,7 +171,7 @@ public:
     for (std::size_t i = 0; i < libraries.size(); ++i)
       std::fprintf(file_, "%s\"%s\": \"%s\"", i == 0 ? "" : ", ", libraries[i].name.c_str(),
                    libraries[i].version.c_str());
-    std::fputs("},\n  \"errors\": [", file_);
+    std::fprintf(file_, "},\n  \"cycle_ns\": %.4f,\n  \"errors\": [", nanoseconds_of_a_cycle());
   }
   void between() {
     std::fputs("\n  ],\n  \"times\": [", file_);
