@@ -14,6 +14,7 @@ static const char help[] =
     "subcommands:\n"
     "  compare DIR_OR_FILE...  compare the library with reference vectors and print the errors\n"
     "  solve FILE.csv          find the screw motion of a body from three measured markers\n"
+    "  fk ROBOT VALUE...       forward kinematics: the pose of a robot's tool, its links, its Jacobian\n"
     "  agile-eye               map the rotational errors of the Agile Eye over its orientations\n"
     "  hash                    print one hash of the bits of all results over a large set of inputs\n"
     "  help [SUBCOMMAND]       print this help, or that of a subcommand\n"
@@ -35,10 +36,8 @@ struct command {
 };
 
 static const struct command commands[] = {
-    {"compare", compare_command, compare_help},
-    {"solve", solve_command, solve_help},
-    {"agile-eye", agile_eye_command, agile_eye_help},
-    {"hash", hash_command, hash_help},
+    {"compare", compare_command, compare_help},       {"solve", solve_command, solve_help}, {"fk", fk_command, fk_help},
+    {"agile-eye", agile_eye_command, agile_eye_help}, {"hash", hash_command, hash_help},
 };
 
 static const struct command *find_command(const char *name) {

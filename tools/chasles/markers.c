@@ -1,11 +1,12 @@
 /* markers.c - see markers.h. */
 #include "markers.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+#include "angles.h"
 
 enum { LONGEST_ROW = 1 << 20 };
 
@@ -213,16 +214,11 @@ static bool is_missing(const char *cell) {
   return *cell == '\0' || strcasecmp(cell, "nan") == 0 || strcasecmp(cell, "na") == 0;
 }
 
-/* A decimal number; a missing one is NaN. strtod also reads hexadecimal and "inf", which have no place here. */
+/* A decimal number; a missing one is NaN. */
 static bool read_cell(const struct markers *markers, int column, const char *meaning, double *value) {
   const char *cell = markers->cells[column];
   *value = (double)NAN;
-  if (is_missing(cell)) return true;
-  char *end = NULL;
-  const bool decimal = cell[strspn(cell, "+-.0123456789eE")] == '\0';
-  errno = 0;
-  if (decimal) *value = strtod(cell, &end);
-  if (decimal && *end == '\0' && isfinite(*value)) return true;
+  if (is_missing(cell) || read_number(cell, value)) return true;
   text_expected(&markers->text, cell, "%s in column %d: a number with a decimal point", meaning, column + 1);
   return false;
 }

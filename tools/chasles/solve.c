@@ -156,16 +156,6 @@ static bool is_complete(const struct frame *frame) {
 
 /* ---- Output ---- */
 
-/* The decimal number with the fewest digits that reads back as x. */
-static void print_shortest(FILE *file, double x) {
-  char number[32];
-  for (int digits = 15; digits <= 17; ++digits) {
-    snprintf(number, sizeof number, "%.*g", digits, x);
-    if (strtod(number, NULL) == x) break;
-  }
-  fputs(number, file);
-}
-
 static void print_quoted(FILE *file, const char *text) {
   fputc('"', file);
   for (; *text != '\0'; ++text) {
@@ -416,9 +406,7 @@ static bool read_against(const char *word, struct options *options) {
 }
 
 static bool read_tolerance(const char *word, struct options *options) {
-  char *end = NULL;
-  options->tolerance = strtod(word, &end);
-  if (end != word && *end == '\0' && options->tolerance >= 0.0 && isfinite(options->tolerance)) return true;
+  if (read_number(word, &options->tolerance) && options->tolerance >= 0.0) return true;
   complain("--tolerance expects a number of at least 0, not '%s'", word);
   return false;
 }

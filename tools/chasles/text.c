@@ -122,6 +122,15 @@ bool parse_integer(const char *text, long least, long most, long *value) {
   return errno == 0 && *value >= least && *value <= most;
 }
 
+void print_shortest(FILE *file, double x) {
+  char number[32];
+  for (int digits = 15; digits <= 17; ++digits) {
+    snprintf(number, sizeof number, "%.*g", digits, x);
+    if (strtod(number, NULL) == x) break;
+  }
+  fputs(number, file);
+}
+
 FILE *output_open(const char *name) {
   FILE *file = fopen(name, "w");
   if (file == NULL) complain("cannot write %s: %s", name, strerror(errno));

@@ -46,6 +46,9 @@ char *next_word(char **line);
 /* An integer in [least, most] that is the whole of the text, decimal digits after an optional minus. */
 bool parse_integer(const char *text, long least, long most, long *value);
 
+/* The decimal number with the fewest digits that reads back as x. */
+void print_shortest(FILE *file, double x);
+
 /* A file for writing; NULL with a message when it cannot be opened. */
 FILE *output_open(const char *name);
 /* False with a message when not every byte could be written. */
