@@ -39,6 +39,45 @@
   (-0x1.94fb39c38b775p-49 + (t) * \
   (0x1.2c1fb0f4dc04p-57 + (t) * \
   -0x1.3b0a53b907f9dp-66)))))))))
+/* -d/dt (1 - cos x)/x^2 at x = sqrt t = CHS_COSINE_SLOPE(t)
+   on [0, 9.8795], relative error 0.25 eps */
+#define CHS_COSINE_SLOPE(t) \
+  (0x1.5555555555555p-5 + (t) * \
+  (-0x1.6c16c16c16bcp-9 + (t) * \
+  (0x1.3813813811a92p-14 + (t) * \
+  (-0x1.27e4fb770c614p-20 + (t) * \
+  (0x1.66a8f29d5ff29p-27 + (t) * \
+  (-0x1.2eb17299776e6p-34 + (t) * \
+  (0x1.78ae554e0a74ap-42 + (t) * \
+  (-0x1.68098fdc281c8p-50 + (t) * \
+  (0x1.0ededbad66033p-58 + (t) * \
+  -0x1.2743c4519684ep-67)))))))))
+/* -d/dt (x - sin x)/x^3 at x = sqrt t = CHS_CUBIC_SLOPE(t)
+   on [0, 9.8795], relative error 0.063 eps */
+#define CHS_CUBIC_SLOPE(t) \
+  (0x1.1111111111111p-7 + (t) * \
+  (-0x1.a01a01a019ff7p-12 + (t) * \
+  (0x1.1566abc010979p-17 + (t) * \
+  (-0x1.ae64567eef031p-24 + (t) * \
+  (0x1.b96d796ddbdap-31 + (t) * \
+  (-0x1.42df6aa0ebdd5p-38 + (t) * \
+  (0x1.62861f8e1195ap-46 + (t) * \
+  (-0x1.2f32e8ce551cep-54 + (t) * \
+  (0x1.9cdeb50394df6p-63 + (t) * \
+  -0x1.9abde0cdc9bdcp-72)))))))))
+/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = CHS_COTANGENT_SLOPE(t)
+   on [0, 9.8795], relative error 0.17 eps */
+#define CHS_COTANGENT_SLOPE(t) \
+  (0x1.6c16c16c16c17p-9 + (t) * \
+  (-0x1.a01a01a01a095p-14 + (t) * \
+  (0x1.bbd7793353f39p-20 + (t) * \
+  (-0x1.1eed8f00d1218p-26 + (t) * \
+  (0x1.f87d1dd3159e7p-34 + (t) * \
+  (-0x1.42df86395c1aap-41 + (t) * \
+  (0x1.3b267f0da9fc2p-49 + (t) * \
+  (-0x1.e604f83a0ba81p-58 + (t) * \
+  (0x1.38797b5625f1cp-66 + (t) * \
+  -0x1.9bf378403eaacp-75)))))))))
 /* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
    on [0, 0.25025], relative error 0.0011 eps */
 #define CHS_ATAN_REST(u) \
@@ -88,6 +127,33 @@
   (0x1.de2b1p-26F + (t) * \
   (-0x1.b8dcecp-32F + (t) * \
   0x1.2d1342p-37F))))))
+/* -d/dt (1 - cos x)/x^2 at x = sqrt t = CHS_COSINE_SLOPE(t)
+   on [0, 9.8795], relative error 0.25 eps */
+#define CHS_COSINE_SLOPE(t) \
+  (0x1.555556p-5F + (t) * \
+  (-0x1.6c16eap-9F + (t) * \
+  (0x1.3816a2p-14F + (t) * \
+  (-0x1.280ae4p-20F + (t) * \
+  (0x1.6727ecp-27F + (t) * \
+  -0x1.19708ep-34F)))))
+/* -d/dt (x - sin x)/x^3 at x = sqrt t = CHS_CUBIC_SLOPE(t)
+   on [0, 9.8795], relative error 0.44 eps */
+#define CHS_CUBIC_SLOPE(t) \
+  (0x1.111112p-7F + (t) * \
+  (-0x1.a01a8ap-12F + (t) * \
+  (0x1.15736ep-17F + (t) * \
+  (-0x1.b01292p-24F + (t) * \
+  (0x1.d01316p-31F + (t) * \
+  -0x1.9f3336p-38F)))))
+/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = CHS_COTANGENT_SLOPE(t)
+   on [0, 9.8795], relative error 0.2 eps */
+#define CHS_COTANGENT_SLOPE(t) \
+  (0x1.6c16c2p-9F + (t) * \
+  (-0x1.a01a58p-14F + (t) * \
+  (0x1.bbe7f4p-20F + (t) * \
+  (-0x1.2008d6p-26F + (t) * \
+  (0x1.0b939ap-33F + (t) * \
+  -0x1.caf58cp-41F)))))
 /* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
    on [0, 0.25025], relative error 0.0024 eps */
 #define CHS_ATAN_REST(u) \

@@ -1,4 +1,4 @@
-/* A pose as its two parts. */
+/* A pose as its two parts, and the 6x6 matrices that act on twists as their blocks. */
 #ifndef CHASLES_POSE_H
 #define CHASLES_POSE_H
 
@@ -18,6 +18,11 @@ static inline void join(const real R[9], const real p[3], real T[16]) {
   }
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
+}
+
+/* Writes a 3x3 block of a 6x6 matrix. */
+static inline void put_block(const real block[9], int row, int column, real M[36]) {
+  for (int i = 0; i < 3; i++) copy(block + 3 * i, 3, M + 6 * (row + i) + column);
 }
 
 #endif

@@ -153,13 +153,22 @@ static inline void rotation_vector_of(const quaternion *q, real n, real w[3], re
   *k = (whole + rest) * q->w;
 }
 
-/* The rotation vector of a matrix that has been checked, k as above, and CHS_OK or CHS_HALF_TURN. */
-static inline int logarithm(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_of(R);
+/* The rotation vector of a quaternion, k as above, and CHS_OK or CHS_HALF_TURN. */
+static inline int logarithm_of(quaternion q, real w[3], real *k) {
   real n = SQRT(dot(q.v, q.v));
   settle_half_turn(&q, 0, n);
   rotation_vector_of(&q, n, w, k);
   return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* That of a matrix that has been checked. */
+static inline int logarithm(const real R[9], real w[3], real *k) { return logarithm_of(quaternion_of(R), w, k); }
+
+/* v = J_l(w)^-1 p, k as above. */
+static inline void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {
+  real d = cotangent_ratio(k, dot(w, w)) * dot(w, p), wxp[3];
+  cross(w, p, wxp);
+  for (int i = 0; i < 3; i++) v[i] = k * p[i] + (d * w[i] - K(0.5) * wxp[i]);
 }
 
 #endif

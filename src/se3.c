@@ -59,23 +59,16 @@ int FN(chs_se3_exp)(const real V[6], real T[16]) {
 }
 
 int FN(chs_se3_log)(const real T[16], real V[6]) {
-  real R[9], p[3], w[3], v[3], wxp[3], k;
+  real R[9], p[3], w[3], v[3], k;
   part(T, R, p);
   int status = first_error(check_rotation(R), finiteness(p, 3));
   if (status != CHS_OK) return status;
   status = logarithm(R, w, &k);
-  real d = cotangent_ratio(k, dot(w, w)) * dot(w, p);
-  cross(w, p, wxp);
-  for (int i = 0; i < 3; i++) v[i] = k * p[i] + (d * w[i] - K(0.5) * wxp[i]);
+  inverse_jacobian_times(w, k, p, v);
   if (!all_finite(v, 3)) return CHS_ERR_OVERFLOW;
   copy(w, 3, V);
   copy(v, 3, V + 3);
   return status;
-}
-
-/* Writes a 3x3 block of a 6x6 matrix. */
-static void put_block(const real block[9], int row, int column, real M[36]) {
-  for (int i = 0; i < 3; i++) copy(block + 3 * i, 3, M + 6 * (row + i) + column);
 }
 
 void FN(chs_se3_adjoint)(const real T[16], real Ad[36]) {

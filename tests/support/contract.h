@@ -55,6 +55,7 @@ enum { MOST_ARRAYS = 5, MOST_NUMBERS = 36 };
 static inline int size_of_kind(char kind) {
   switch (kind) {
   case 'a':            /* angle */
+  case 'p':            /* positive number */
   case 't': return 1;  /* tolerance */
   case 'w':            /* rotation vector */
   case 'x': return 3;  /* vector */
@@ -62,6 +63,8 @@ static inline int size_of_kind(char kind) {
   case 'V': return 6;  /* twist or wrench */
   case 'S':            /* screw */
   case 'H': return 8;  /* screw of which only translation and angle are read */
+  case 'U':            /* matrix of a twist */
+  case 'D':            /* rate of a pose */
   case 'T': return 16; /* pose */
   case 'E': return 24; /* eight sets of three joint angles */
   case 'A': return 36; /* adjoint */
@@ -74,6 +77,8 @@ static inline int is_read(char kind, int i) {
   switch (kind) {
   case 't': return 0;
   case 'H': return i >= 6;
+  case 'U': return i < 12 && i % 5 != 0;
+  case 'D':
   case 'T': return i < 12;
   case 'W': return i % 4 != 0;
   default: return 1;
@@ -85,6 +90,7 @@ static inline void make_input(char kind, const real *previous, real *x) {
   real pose[16];
   switch (kind) {
   case 't': x[0] = K(0.01); break;
+  case 'p': x[0] = (real)uniform(0, 1); break;
   case 'R':
   case 'M':
   case 'W': random_rotation(x); break;

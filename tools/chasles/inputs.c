@@ -251,6 +251,20 @@ static void make_pose(struct source *source, double *T) {
   make_last_row(source, T);
 }
 
+/* Two poses of which the second is the first, the first turned and moved, or unrelated. */
+static void make_poses(struct source *source, double *AB) {
+  double R[18];
+  double p[6];
+  make_orientations(source, R);
+  make_vector(source, p);
+  make_vector(source, p + 3);
+  for (int i = 0; i < 3 && one_in(source, 4); ++i) p[3 + i] = p[i];
+  for (int k = 0; k < 2; ++k) {
+    join_pose(R + 9 * k, p + 3 * k, AB + 16 * k);
+    make_last_row(source, AB + 16 * k);
+  }
+}
+
 static void make_twist(struct source *source, double *V) {
   make_rotation_vector(source, V);
   make_vector(source, V + 3);
@@ -434,7 +448,7 @@ static const struct kind kinds[] = {
     {'R', 9, make_rotation},  {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
     {'S', 8, make_screw},     {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
     {'D', 12, make_lines},    {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
-    {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},
+    {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},  {'B', 32, make_poses},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -13,7 +13,7 @@ import argparse
 import pathlib
 import sys
 
-from mpmath import atan, cos, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import atan, cos, factorial, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 50
 
@@ -39,6 +39,27 @@ def cubic(t):
     return (x - sin(x)) / x**3
 
 
+def power_series(coefficient, t):
+    """The sum of coefficient(k) (-t)^k, an entire function: 40 terms are plenty below t = 10."""
+    return sum(coefficient(k) * (-t) ** k for k in range(40))
+
+
+def cosine_slope(t):
+    """-d/dt (1 - cos x)/x^2 at x = sqrt t"""
+    return power_series(lambda k: 1 / (2 * factorial(2 * k + 3)) - 1 / factorial(2 * k + 4), t)
+
+
+def cubic_slope(t):
+    """-d/dt (x - sin x)/x^3 at x = sqrt t"""
+    return power_series(lambda k: (k + 1) / factorial(2 * k + 5), t)
+
+
+def cotangent_slope(t):
+    """4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t"""
+    difference = lambda k: 4 * (1 / factorial(2 * k + 4) - 1 / (2 * factorial(2 * k + 3))) + 1 / factorial(2 * k + 3)
+    return power_series(lambda k: -difference(k + 1), t)
+
+
 def arctangent(u):
     """atan(sqrt u) / sqrt u"""
     return atan(sqrt(u)) / sqrt(u) if u else mpf(1)
@@ -52,6 +73,9 @@ KERNELS = [
     ("SINC_REST", sinc, "1 + h P", SLACK * (pi / 2) ** 2, "relative", [mpf(1)], 8, 5, 1),
     ("COS_REST", cosine, "1 - h/2 + h^2 P", SLACK * (pi / 2) ** 2, "absolute", [mpf(1), mpf(-1) / 2], 8, 5, 2),
     ("CUBIC", cubic, "P", SLACK * pi**2, "relative", [], 9, 6, 0),
+    ("COSINE_SLOPE", cosine_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
+    ("CUBIC_SLOPE", cubic_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
+    ("COTANGENT_SLOPE", cotangent_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
     ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 13, 6, 1),
 ]
 FORMATS = [("double", 53, ""), ("float", 24, "F")]

@@ -252,6 +252,11 @@ def axis_angle(M):
     return quaternion_axis_angle(column_quaternion(M))
 
 
+def is_exact_turn(R):
+    """Are all entries 0 or 1 in size?"""
+    return all(abs(x) in (0, 1) for x in R)
+
+
 def log(M):
     axis, angle, _ = axis_angle(M)
     return [mpf(0)] * 3 if axis is None else [angle * x for x in axis]
@@ -325,6 +330,42 @@ def adjoint(R, p):
 def adjoint_inverse(R, p):
     Rt = transpose(R)
     return blocks(Rt, [mpf(0)] * 9, times(mpf(-1), multiply(Rt, hat(p))), Rt)
+
+
+def twist_matrix(V):
+    """[V], 4x4."""
+    W = hat(V[0:3])
+    return row(W, 0) + [V[3]] + row(W, 1) + [V[4]] + row(W, 2) + [V[5]] + [mpf(0)] * 4
+
+
+def ad(V):
+    W = hat(V[0:3])
+    return blocks(W, [mpf(0)] * 9, hat(V[3:6]), W)
+
+
+def left_jacobian6(V):
+    """(J, Q) of [J 0; Q J], the left Jacobian of pose_exp; Q as in Barfoot, State Estimation for Robotics."""
+    w, v = V[0:3], V[3:6]
+    J, theta = left_jacobian(w), norm(w)
+    W, U = hat(w), hat(v)
+    if theta == 0:
+        return J, times(mpf("0.5"), U)
+    with workprec(BASE_BITS + 6 * max(0, -mp.mag(theta))):
+        theta = norm(w)
+        c = (theta - sin(theta)) / theta**3
+        d = (1 - theta**2 / 2 - mp.cos(theta)) / theta**4
+        e = (theta - sin(theta) - theta**3 / 6) / theta**5
+    WU, UW, WUW = multiply(W, U), multiply(U, W), multiply(W, multiply(U, W))
+    second = add(multiply(W, WU), subtract(multiply(UW, W), times(mpf(3), WUW)))
+    third = add(multiply(WUW, W), multiply(W, WUW))
+    terms = [times(mpf("0.5"), U), times(c, add(WU, add(UW, WUW))), times(-d, second), times((3 * e - d) / 2, third)]
+    return J, [sum(x) for x in zip(*terms)]
+
+
+def left_jacobian6_inverse(V):
+    """(J^-1, P) of [J^-1 0; P J^-1]."""
+    inverse, Q = left_jacobian_inverse(V[0:3]), left_jacobian6(V)[1]
+    return inverse, times(mpf(-1), multiply(inverse, multiply(Q, inverse)))
 
 
 def apply6(A, x):

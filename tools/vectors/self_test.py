@@ -61,11 +61,6 @@ def svd_polar(M):
     return [R[i, j] for i in range(3) for j in range(3)]
 
 
-def twist_matrix(V):
-    W = hat(V[0:3])
-    return row(W, 0) + [V[3]] + row(W, 1) + [V[4]] + row(W, 2) + [V[5]] + [mpf(0)] * 4
-
-
 def random_angle(rng):
     return magnitude(rng, "1e-200", 1) if rng.getrandbits(1) else uniform(rng, 0, 3.1)
 
@@ -107,7 +102,7 @@ def check_exp_reduction(rng):
 def check_pose_exp(rng):
     V = vector(rng, random_angle(rng)) + vector(rng, magnitude(rng, "1e-10", "1e10"))
     R, p = exact.pose_exp(V)
-    series = square_matrix_power_series(twist_matrix(V), 4, lambda k: 1 / factorial(k))
+    series = square_matrix_power_series(exact.twist_matrix(V), 4, lambda k: 1 / factorial(k))
     return distance(exact.pose_matrix(R, p), series) / norm(V)
 
 
@@ -130,6 +125,17 @@ def check_inverse_jacobian(rng):
     w = vector(rng, random_angle(rng) * 10)
     J = multiply(exact.left_jacobian_inverse(w), exact.left_jacobian(w))
     return distance(J, IDENTITY) * abs(sin(norm(w) / 2)) / norm(w)
+
+
+def check_jacobian6(rng):
+    """Against the power series of ad, and the inverse against the inverse."""
+    V = vector(rng, random_angle(rng)) + vector(rng, magnitude(rng, "1e-10", "1e10"))
+    zero, size = [mpf(0)] * 9, norm(V[3:6])
+    J, Q = exact.left_jacobian6(V)
+    series = square_matrix_power_series(exact.ad(V), 6, lambda k: 1 / factorial(k + 1))
+    inverse, P = exact.left_jacobian6_inverse(V)
+    rest = add(multiply(P, J), multiply(inverse, Q))
+    return distance(exact.blocks(J, zero, Q, J), series) / max(1, size) + norm(rest) / size
 
 
 def check_polar(rng):
@@ -207,11 +213,11 @@ def check_adjoint(rng):
     """[Ad V] = T [V] T^-1, Ad Ad^-1 = I."""
     R, p = random_exact_rotation(rng), vector(rng, uniform(rng, 0, 2))
     V = vector(rng, mpf(1)) + vector(rng, mpf(2))
-    T, back, W = exact.pose_matrix(R, p), exact.pose_matrix(*exact.inverse((R, p))), twist_matrix(V)
+    T, back, W = exact.pose_matrix(R, p), exact.pose_matrix(*exact.inverse((R, p))), exact.twist_matrix(V)
     product = lambda a, b: [sum(a[4 * i + k] * b[4 * k + j] for k in range(4)) for i in range(4) for j in range(4)]
     Ad, inverse = exact.adjoint(R, p), exact.adjoint_inverse(R, p)
     carried = exact.apply6(Ad, V)
-    return distance(twist_matrix(carried), product(product(T, W), back)) + distance(exact.apply6(inverse, carried), V)
+    return distance(exact.twist_matrix(carried), product(product(T, W), back)) + distance(exact.apply6(inverse, carried), V)
 
 
 def check_wrench(rng):
@@ -310,6 +316,7 @@ CHECKS = [
     (check_jacobian, 200),
     (check_jacobian_difference, 200),
     (check_inverse_jacobian, 200),
+    (check_jacobian6, 200),
     (check_polar, 300),
     (check_polar_rank_two, 200),
     (check_singular_values, 100),

@@ -1,0 +1,2 @@
+#define CHS_SINGLE
+#include "se3_calculus.c"
