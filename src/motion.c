@@ -1,18 +1,92 @@
 #include <chasles/motion.h>
 
-#include "motion_private.h"
+#include "pose.h"
+#include "screw_private.h"
 
-/* The two triangles, their sides divided by a power of two near the longest side so that products of any degree fit. */
+/* Two triangles: the side a from the first point to the second and c from the third to the first, before and after. */
 typedef struct triangles {
-  centroid at;
-  real from[3][3]; /* from[k] and to[k]: the side opposite point k, in cyclic order, scaled */
-  real to[3][3];
-  real longest;   /* length of the longest initial side, scaled */
-  int longest_at; /* and the point opposite to it */
-  real doubled;   /* twice the initial triangle's area, scaled */
-  real turned;    /* the largest change of a side's component, scaled */
-  real noise;     /* the rounding of the coordinates, scaled: how far a side is uncertain */
+  real a[3], c[3], af[3], cf[3];
+  real center[3]; /* centroid of the initial points */
+  real travel[3]; /* displacement of the centroid */
+  /* Sums over the sides: of their squares before, the same and after, and of how much each square changed. */
+  real before, span, strain;
+  real area, area_after; /* squares of twice the areas, good to 4 eps span^2 */
+  real reach;            /* a third of it is at least the square of the largest coordinate */
 } triangles;
+
+/* What a closer look tells. The sides are divided by a power of two near the longest, so that products of any degree
+ * fit, and these with them. */
+typedef struct examination {
+  int examined;
+  real longest; /* length of the longest initial side */
+  real doubled; /* twice the initial triangle's area */
+  real turned;  /* the largest change of a side's component */
+  real noise;   /* the rounding of the coordinates: how far a side is uncertain */
+} examination;
+
+/* Sums of squares between which products of eight lengths neither overflow nor underflow. */
+#ifdef CHS_SINGLE
+#define SPAN_LEAST 0x1p-20F
+#define REACH_MOST 0x1p+28F
+#else
+#define SPAN_LEAST 0x1p-200
+#define REACH_MOST 0x1p+200
+#endif
+
+static INLINE void read_sides(const real initial[9], const real final[9], triangles *t) {
+  subtract(initial + 3, initial, t->a);
+  subtract(initial, initial + 6, t->c);
+  subtract(final + 3, final, t->af);
+  subtract(final, final + 6, t->cf);
+}
+
+/* The mean of o, o + a and o - c, given the difference of a and c. */
+static INLINE void mean(const real o[3], const real a[3], const real c[3], real m[3]) {
+  const real third = K(1.0) / K(3.0);
+  m[0] = o[0] + third * (a[0] - c[0]);
+  m[1] = o[1] + third * (a[1] - c[1]);
+  m[2] = o[2] + third * (a[2] - c[2]);
+}
+
+static INLINE void read_centers(const real initial[9], const real final[9], triangles *t) {
+  real moved[3], da[3], dc[3];
+  subtract(final, initial, moved);
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  mean(initial, t->a, t->c, t->center);
+  mean(moved, da, dc, t->travel);
+}
+
+static INLINE void measure(triangles *t, real offset) {
+  real aa = dot(t->a, t->a), cc = dot(t->c, t->c), ac = dot(t->a, t->c);
+  real ff = dot(t->af, t->af), gg = dot(t->cf, t->cf), fg = dot(t->af, t->cf);
+  real da = ff - aa, dc = gg - cc, db = (da + dc) + K(2.0) * (fg - ac);
+  t->before = K(2.0) * (aa + cc + ac);
+  t->span = t->before + K(2.0) * (ff + gg + fg);
+  t->strain = ABS(da) + ABS(db) + ABS(dc);
+  t->area = aa * cc - ac * ac;
+  t->area_after = ff * gg - fg * fg;
+  t->reach = offset + t->span;
+}
+
+/* Far enough from lines, and near enough to the origin, for rounding to be out of the question. */
+static INLINE int well_shaped(const triangles *t) {
+  real least = K(64.0) * EPS * (t->span * t->span);
+  return (t->area >= least) & (t->area_after >= least) & (t->span >= K(4.0) * EPS * t->reach);
+}
+
+/* Enough to be certain, at a glance, that examine() would find nothing wrong. NaN fails. */
+static INLINE int ordinary(const triangles *t, real tolerance) {
+  return well_shaped(t) & (t->reach <= REACH_MOST) & (t->span >= SPAN_LEAST) &
+         (t->strain <= K(2.0) / K(3.0) * tolerance * t->before);
+}
+
+/* Enough to be certain that the rotation is neither none nor a half-turn, nor near enough to either to ask. */
+static INLINE int plain(const triangles *t, const quaternion *q) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w;
+  real zone = K(64.0) * EPS * EPS * (t->span * t->span);
+  return (vv * (t->span * t->area) > zone * t->reach * (vv + ww)) & (ww * t->area > zone * vv);
+}
 
 /* The largest power of two not above x, for x in the format's normal range short of its ends (Rump's ufp). */
 static real power_of_two_below(real x) {
@@ -20,11 +94,7 @@ static real power_of_two_below(real x) {
   return ABS(q - (K(1.0) - K(0.5) * EPS) * q);
 }
 
-static void sides_of(const real points[9], real side[3][3]) {
-  for (int k = 0; k < 3; k++) subtract(points + 3 * ((k + 2) % 3), points + 3 * ((k + 1) % 3), side[k]);
-}
-
-static real third_of(real a, real b, real c) { return (a + b + c) / K(3.0); }
+static inline real larger(real a, real b) { return a > b ? a : b; }
 
 /* Points too near to each other or to a line for their rounding errors to be told from their positions. */
 static int shape_status(const real squared[3], real doubled, real noise) {
@@ -35,134 +105,182 @@ static int shape_status(const real squared[3], real doubled, real noise) {
   return doubled * doubled <= longest_squared * (height_noise * height_noise) ? CHS_ERR_COLLINEAR : CHS_OK;
 }
 
-static real doubled_area(real side[3][3]) {
+static real doubled_area(const real a[3], const real c[3]) {
   real normal[3];
-  cross(side[0], side[1], normal);
+  cross(a, c, normal);
   return norm(normal, 3);
 }
 
-static int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t) {
+/* The slow and careful look at two triangles: what is wrong with them, and their sides to scale. */
+static SELDOM int examine(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x) {
   int status = first_error(finiteness(initial, 9), finiteness(final, 9));
   if (status != CHS_OK) return status;
-  real sides[18], from_squared[3], to_squared[3];
-  sides_of(initial, t->from);
-  sides_of(final, t->to);
-  for (int k = 0; k < 3; k++) {
-    copy(t->from[k], 3, sides + 3 * k);
-    copy(t->to[k], 3, sides + 9 + 3 * k);
-  }
-  real reach = largest(initial, 9) > largest(final, 9) ? largest(initial, 9) : largest(final, 9);
-  real most = largest(sides, 18);
+  /* Sides 0 to 2 before, 3 to 5 after. */
+  real sides[18], squared[6];
+  subtract(initial + 3, initial, sides);
+  subtract(initial, initial + 6, sides + 3);
+  subtract(initial + 6, initial + 3, sides + 6);
+  subtract(final + 3, final, sides + 9);
+  subtract(final, final + 6, sides + 12);
+  subtract(final + 6, final + 3, sides + 15);
+  real reach = larger(largest(initial, 9), largest(final, 9)), most = largest(sides, 18);
   if (!is_finite(most)) return CHS_ERR_OVERFLOW;
   if (most == 0) return CHS_ERR_COINCIDENT;
   /* Two factors, since one alone may be beyond the format. */
   real enlarge = safe_to_square(most), scale = K(1.0) / power_of_two_below(enlarge * most);
-  t->noise = K(4.0) * EPS * (scale * (enlarge * reach));
-  t->turned = 0;
-  t->longest_at = 0;
-  for (int k = 0; k < 3; k++) {
-    for (int i = 0; i < 3; i++) {
-      t->from[k][i] = scale * (enlarge * t->from[k][i]);
-      t->to[k][i] = scale * (enlarge * t->to[k][i]);
-      real change = ABS(t->to[k][i] - t->from[k][i]);
-      t->turned = change > t->turned ? change : t->turned;
-    }
-    from_squared[k] = dot(t->from[k], t->from[k]);
-    to_squared[k] = dot(t->to[k], t->to[k]);
-    if (from_squared[k] > from_squared[t->longest_at]) t->longest_at = k;
+  x->examined = 1;
+  x->noise = K(4.0) * EPS * (scale * (enlarge * reach));
+  x->turned = 0;
+  for (int k = 0; k < 18; k++) sides[k] = scale * (enlarge * sides[k]);
+  for (int k = 0; k < 9; k++) x->turned = larger(x->turned, ABS(sides[9 + k] - sides[k]));
+  for (int k = 0; k < 6; k++) squared[k] = dot(sides + 3 * k, sides + 3 * k);
+  copy(sides, 3, t->a);
+  copy(sides + 3, 3, t->c);
+  copy(sides + 9, 3, t->af);
+  copy(sides + 12, 3, t->cf);
+  real center[3], travel[3];
+  for (int i = 0; i < 3; i++) {
+    center[i] = scale * (enlarge * t->center[i]);
+    travel[i] = scale * (enlarge * t->travel[i]);
   }
-  real longest_squared = from_squared[t->longest_at];
-  t->doubled = doubled_area(t->from);
-  status = shape_status(from_squared, t->doubled, t->noise);
-  if (status == CHS_OK) status = shape_status(to_squared, doubled_area(t->to), t->noise);
+  measure(t, dot(center, center) + dot(travel, travel));
+  real longest_squared = largest(squared, 3);
+  x->longest = SQRT(longest_squared);
+  x->doubled = doubled_area(t->a, t->c);
+  status = shape_status(squared, x->doubled, x->noise);
+  if (status == CHS_OK) status = shape_status(squared + 3, doubled_area(t->af, t->cf), x->noise);
   if (status != CHS_OK) return status;
   for (int k = 0; k < 3; k++)
-    if (!(ABS(to_squared[k] - from_squared[k]) <= K(2.0) * tolerance * longest_squared)) return CHS_ERR_NOT_RIGID;
-  t->longest = SQRT(longest_squared);
-  for (int i = 0; i < 3; i++) {
-    t->at.center[i] = third_of(initial[i], initial[3 + i], initial[6 + i]);
-    t->at.travel[i] = third_of(final[i] - initial[i], final[3 + i] - initial[3 + i], final[6 + i] - initial[6 + i]);
-  }
+    if (!(ABS(squared[3 + k] - squared[k]) <= K(2.0) * tolerance * longest_squared)) return CHS_ERR_NOT_RIGID;
   return CHS_OK;
 }
 
-/* Eq. 23 for the vectors x and y of the body, which became xf and yf: q = (v; w) proportional to (sin(theta/2) e;
- * cos(theta/2)). Returns how much it tells: its squared length over the squares of what the rounding errors of x and y
- * are multiplied by, those of y counted double because y may be a product itself. */
-static real half_angle_vector(const real x[3], const real xf[3], const real y[3], const real yf[3], quaternion *q) {
-  real dx[3], dy[3], sum[3];
-  for (int i = 0; i < 3; i++) {
-    dx[i] = xf[i] - x[i];
-    dy[i] = yf[i] - y[i];
-    sum[i] = yf[i] + y[i];
-  }
-  cross(dx, dy, q->v);
-  q->w = dot(dx, sum);
-  q->short_of_4 = 0;
-  return (dot(q->v, q->v) + q->w * q->w) / (K(4.0) * dot(dx, dx) + dot(dy, dy) + dot(sum, sum));
+/* The screw of q = (v; w), n = |v|, turned so that w is not negative where sign has its sign. */
+static INLINE void write_screw(const triangles *t, const quaternion *q, real n, real sign, screw *out) {
+  real w = sign * q->w;
+  screw_through(t->center, t->travel, q->v, sign / n, w / n, out);
+  out->angle = K(2.0) * FN(chs_p_angle_of)(n, w > 0 ? w : K(0.0)); /* a half-turn may be a hair beyond pi */
 }
 
-/* The rotation of Laub & Shiflett: eq. 12 and 13 with both origins moved into the plane's own frame (f1, f2, f3), f1
- * along the longest side and f3 normal to the plane. Q maps f1 and f2 to g1 and g2, and cof(Q) maps f3 to g1 x g2. */
-static quaternion frame_quaternion(const triangles *t) {
-  const real *a = t->from[t->longest_at], *af = t->to[t->longest_at];
-  const real *c = t->from[(t->longest_at + 1) % 3], *cf = t->to[(t->longest_at + 1) % 3];
-  real f1[3], f2[3], f3[3], g1[3], g2[3], g3[3], R[9];
-  for (int i = 0; i < 3; i++) {
-    f1[i] = a[i] / t->longest;
-    g1[i] = af[i] / t->longest;
+static INLINE void write_pose(const triangles *t, const quaternion *q, real nn, real T[16]) {
+  real R[9], p[3];
+  rotation_from_quaternion(q, nn, R);
+  rotate(R, t->center, p);
+  subtract(t->center, p, p);
+  add_to(p, t->travel);
+  join(R, p, T);
+}
+
+static SELDOM int finish_translation(const triangles *t, screw *out, real T[16]) {
+  static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  screw s;
+  int status = screw_of_translation(t->travel, &s);
+  if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) join(identity, t->travel, T);
+  return status;
+}
+
+static const real sign_of[2] = {1, -1}; /* looked up, for a branch would be a coin's toss */
+
+static INLINE void write_plain(const triangles *t, const quaternion *q, screw *out, real T[16]) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w;
+  if (out) write_screw(t, q, SQRT(vv), sign_of[q->w < 0], out);
+  if (T) write_pose(t, q, vv + ww, T);
+}
+
+/* What all methods do once the rotation is known: the screw, the pose, and what is special about them. */
+static int finish(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x,
+                  quaternion *q, screw *out, real T[16]) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w, n = SQRT(vv);
+  if (!x->examined) {
+    if (plain(t, q)) {
+      write_plain(t, q, out, T);
+      return CHS_OK;
+    }
+    int status = examine(initial, final, tolerance, t, x);
+    if (status != CHS_OK) return status;
   }
-  cross(a, c, f3);
-  unit(f3, f3);
-  cross(f3, f1, f2);
-  real along = dot(c, f1), height = t->doubled / t->longest;
-  for (int i = 0; i < 3; i++) g2[i] = (cf[i] - along * g1[i]) / height;
-  cross(g1, g2, g3);
+  if (x->turned <= x->noise || n == 0) return finish_translation(t, out, T);
+  if (q->w < 0) negate(q);
+  real condition = x->longest * x->longest / x->doubled, zone = K(8.0) * EPS * condition;
+  int half_turn = q->w <= zone * n;
+  settle_half_turn(q, zone, n);
+  screw s;
+  real pose[16];
+  write_screw(t, q, n, 1, &s);
+  write_pose(t, q, vv + ww, pose);
+  if (!all_finite(s.point, 3) || !all_finite(pose, 12)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) copy(pose, 16, T);
+  if (condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
+  return half_turn ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* Eq. 12 and 13 with both origins moved along the normal of the points' plane: Q takes the sides to what they became,
+ * and its cofactors take the normal a x c to af x cf. With the dual basis of a and c it is a sum of three products. */
+static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
+  real N[3], Nf[3], a[3], c[3], R[9];
+  cross(t->a, t->c, N);
+  cross(t->af, t->cf, Nf);
+  cross(t->c, N, a);
+  cross(N, t->a, c);
+  real scale = K(1.0) / dot(N, N);
+  for (int i = 0; i < 3; i++) a[i] *= scale, c[i] *= scale, N[i] *= scale;
   for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) R[3 * i + j] = g1[i] * f1[j] + g2[i] * f2[j] + g3[i] * f3[j];
-  return quaternion_of(R);
+    for (int j = 0; j < 3; j++) R[3 * i + j] = t->af[i] * a[j] + t->cf[i] * c[j] + Nf[i] * N[j];
+  *q = quaternion_of(R);
 }
 
-int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  triangles t;
-  int status = read_triangles(initial, final, tolerance, &t);
-  if (status != CHS_OK) return status;
-  if (t.turned <= t.noise) return finish_translation(&t.at, out, T);
+/* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for its
+ * length is |q| = 4 sin(theta/2) |e . (a x c)|. */
+static INLINE int rodrigues(const triangles *t, quaternion *q) {
+  real da[3], dc[3], sum[3], N[3];
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  copy(t->c, 3, sum);
+  add_to(sum, t->cf);
+  cross(da, dc, q->v);
+  q->w = dot(da, sum);
+  cross(t->a, t->c, N);
+  real vv = dot(q->v, q->v), qq = vv + q->w * q->w;
+  return qq * qq >= vv * dot(N, N);
+}
 
-  /* The order of the points makes no difference to (v; w), but an axis parallel to their plane makes it 0/0 in any
-   * order, and one along a thin triangle nearly so. Two sides and the normal of the plane are never all of one kind:
-   * the pair that tells most is taken, the normal as the second vector, whose sum is then the shorter. */
-  const real *a = t.from[(t.longest_at + 2) % 3], *af = t.to[(t.longest_at + 2) % 3];
-  const real *c = t.from[(t.longest_at + 1) % 3], *cf = t.to[(t.longest_at + 1) % 3];
-  real normal[3], normal_f[3];
-  cross(a, c, normal);
-  cross(af, cf, normal_f);
-  quaternion q, other;
-  real most = half_angle_vector(a, af, c, cf, &q);
-  real tells = half_angle_vector(a, af, normal, normal_f, &other);
-  if (tells > most) {
-    q = other;
-    most = tells;
-  }
-  tells = half_angle_vector(c, cf, normal, normal_f, &other);
-  if (tells > most) {
-    q = other;
-    most = tells;
-  }
-  if (q.w < 0) negate(&q);
-  /* Each (v; w) is as long as the sides have turned, times the height of the triangle. Much shorter ones come from
-   * sides that changed their lengths rather than turned, by measuring errors, and would be those errors magnified. */
-  real height = t.doubled / (t.longest * t.longest);
-  if (most < K(0.1) * (t.turned * height) * (t.turned * height)) q = frame_quaternion(&t);
-  return finish_rotation(&t.at, t.longest * t.longest / t.doubled, &q, out, T);
+/* The careful way of both methods. */
+static SELDOM int with_care(const real initial[9], const real final[9], real tolerance, int by_rodrigues, screw *out,
+                            real T[16]) {
+  triangles t;
+  examination x;
+  quaternion q;
+  read_sides(initial, final, &t);
+  read_centers(initial, final, &t);
+  int status = examine(initial, final, tolerance, &t, &x);
+  if (status != CHS_OK) return status;
+  if (!(by_rodrigues && rodrigues(&t, &q) && well_shaped(&t) && plain(&t, &q))) laub_shiflett(&t, &q);
+  return finish(initial, final, tolerance, &t, &x, &q, out, T);
+}
+
+static INLINE int solve(const real initial[9], const real final[9], real tolerance, int by_rodrigues, screw *out,
+                        real T[16]) {
+  triangles t;
+  quaternion q;
+  read_sides(initial, final, &t);
+  if (!(by_rodrigues && rodrigues(&t, &q))) laub_shiflett(&t, &q);
+  read_centers(initial, final, &t);
+  measure(&t, dot(t.center, t.center) + dot(t.travel, t.travel));
+  if (!(ordinary(&t, tolerance) & plain(&t, &q))) return with_care(initial, final, tolerance, by_rodrigues, out, T);
+  write_plain(&t, &q, out, T);
+  return CHS_OK;
+}
+
+/* The order of the points makes no difference to (v; w), and an axis parallel to their plane makes it 0/0 in any order.
+ * So near to it the sides say less about the rotation than the normal does; and where they changed their lengths rather
+ * than turned, by measuring errors, (v; w) would be those errors magnified. */
+int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
+  return solve(initial, final, tolerance, 1, out, T);
 }
 
 int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  triangles t;
-  int status = read_triangles(initial, final, tolerance, &t);
-  if (status != CHS_OK) return status;
-  if (t.turned <= t.noise) return finish_translation(&t.at, out, T);
-
-  quaternion q = frame_quaternion(&t);
-  return finish_rotation(&t.at, t.longest * t.longest / t.doubled, &q, out, T);
+  return solve(initial, final, tolerance, 0, out, T);
 }

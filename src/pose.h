@@ -12,10 +12,18 @@ static inline void part(const real T[16], real R[9], real p[3]) {
 }
 
 static inline void join(const real R[9], const real p[3], real T[16]) {
-  for (int i = 0; i < 3; i++) {
-    copy(R + 3 * i, 3, T + 4 * i);
-    T[4 * i + 3] = p[i];
-  }
+  T[0] = R[0];
+  T[1] = R[1];
+  T[2] = R[2];
+  T[3] = p[0];
+  T[4] = R[3];
+  T[5] = R[4];
+  T[6] = R[5];
+  T[7] = p[1];
+  T[8] = R[6];
+  T[9] = R[7];
+  T[10] = R[8];
+  T[11] = p[2];
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
 }

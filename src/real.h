@@ -25,6 +25,16 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+/* For the few functions that are worth their copies where they are called, and for those that should neither lie nor
+ * take stack in the way of the ordinary case. */
+#if defined(__GNUC__)
+#define INLINE inline __attribute__((always_inline))
+#define SELDOM __attribute__((noinline, cold))
+#else
+#define INLINE inline
+#define SELDOM
+#endif
+
 #ifdef CHS_SINGLE
 typedef float real;
 #define FN(name) name##f

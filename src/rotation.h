@@ -139,8 +139,19 @@ static inline void rotation_from_half_angle(const real w[3], half_angle h, real 
 
 /* The rotation of a quaternion of squared length nn. */
 static inline void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
-  real vv = dot(q->v, q->v);
-  rotation_from(q->v, K(2.0) * q->w / nn, K(2.0) / nn, (q->w * q->w - vv) / nn, 0, R);
+  real scale = K(2.0) / nn, x = scale * q->v[0], y = scale * q->v[1], z = scale * q->v[2];
+  real xx = x * q->v[0], yy = y * q->v[1], zz = z * q->v[2];
+  real xy = x * q->v[1], xz = x * q->v[2], yz = y * q->v[2];
+  real wx = x * q->w, wy = y * q->w, wz = z * q->w;
+  R[0] = K(1.0) - (yy + zz);
+  R[4] = K(1.0) - (xx + zz);
+  R[8] = K(1.0) - (xx + yy);
+  R[1] = xy - wz;
+  R[3] = xy + wz;
+  R[2] = xz + wy;
+  R[6] = xz - wy;
+  R[5] = yz - wx;
+  R[7] = yz + wx;
 }
 
 /* w = v theta / n, n = |v|, as a power of two times v plus a small multiple of v: what remains to be rounded is small.

@@ -22,17 +22,28 @@ static inline int screw_of_translation(const real p[3], screw *s) {
   return length > 0 ? CHS_PURE_TRANSLATION : CHS_NO_MOTION;
 }
 
+/* Axis, point and translation of the screw that turns about the direction v and takes the point `from` to `from +
+ * travel`, by eq. 10 and 24 of Fenton & Shi 1990: e = scale v is a unit vector, cotangent that of half the angle. */
+static inline void screw_through(const real from[3], const real travel[3], const real v[3], real scale, real cotangent,
+                                 screw *s) {
+  real x = scale * v[0] + K(0.0), y = scale * v[1] + K(0.0), z = scale * v[2] + K(0.0);
+  real mx = from[0] + K(0.5) * travel[0], my = from[1] + K(0.5) * travel[1], mz = from[2] + K(0.5) * travel[2];
+  real along = x * mx + y * my + z * mz, half = K(0.5) * cotangent;
+  s->translation = x * travel[0] + y * travel[1] + z * travel[2];
+  s->point[0] = (mx - along * x) + half * (y * travel[2] - z * travel[1]);
+  s->point[1] = (my - along * y) + half * (z * travel[0] - x * travel[2]);
+  s->point[2] = (mz - along * z) + half * (x * travel[1] - y * travel[0]);
+  s->axis[0] = x;
+  s->axis[1] = y;
+  s->axis[2] = z;
+}
+
 /* The screw of the rotation q, of vector length n > 0, that takes the point `from` to `from + travel` (Fenton & Shi
  * 1990, eq. 10 and 24). False where the axis lies beyond the range of the format. */
 static inline int screw_of_rotation(const quaternion *q, real n, const real from[3], const real travel[3], screw *s) {
-  real e[3], exd[3], middle[3], cotangent = q->w / n;
+  real e[3];
   unit(q->v, e);
-  for (int i = 0; i < 3; i++) middle[i] = from[i] + K(0.5) * travel[i];
-  cross(e, travel, exd);
-  real along = dot(e, middle);
-  for (int i = 0; i < 3; i++) s->point[i] = (middle[i] - along * e[i]) + K(0.5) * (cotangent * exd[i]);
-  copy(e, 3, s->axis);
-  s->translation = dot(e, travel);
+  screw_through(from, travel, e, 1, q->w / n, s);
   s->angle = K(2.0) * FN(chs_p_angle_of)(n, q->w > 0 ? q->w : K(0.0)); /* a settled half-turn may be a hair beyond pi */
   return all_finite(s->point, 3);
 }

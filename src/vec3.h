@@ -18,8 +18,18 @@ static inline void cross(const real a[3], const real b[3], real c[3]) {
   c[2] = z;
 }
 
+/* Written out, here and below, because compilers leave a loop of three a loop at -O2. c may be a or b. */
 static inline void subtract(const real a[3], const real b[3], real c[3]) {
-  for (int i = 0; i < 3; i++) c[i] = a[i] - b[i];
+  c[0] = a[0] - b[0];
+  c[1] = a[1] - b[1];
+  c[2] = a[2] - b[2];
+}
+
+/* c += a. */
+static inline void add_to(real c[3], const real a[3]) {
+  c[0] += a[0];
+  c[1] += a[1];
+  c[2] += a[2];
 }
 
 static inline void copy(const real *from, int n, real *to) {
@@ -28,8 +38,10 @@ static inline void copy(const real *from, int n, real *to) {
 
 /* y = R x, and y = R^T x; y may be x. */
 static inline void rotate(const real R[9], const real x[3], real y[3]) {
-  real v[3] = {dot(R, x), dot(R + 3, x), dot(R + 6, x)};
-  copy(v, 3, y);
+  real v0 = dot(R, x), v1 = dot(R + 3, x), v2 = dot(R + 6, x);
+  y[0] = v0;
+  y[1] = v1;
+  y[2] = v2;
 }
 
 static inline void rotate_back(const real R[9], const real x[3], real y[3]) {

@@ -12,7 +12,7 @@ extern "C" {
 #endif
 
 /* Two methods for the same task. Bottema & Roth is the faster; Laub & Shiflett is disturbed less by measuring errors,
- * above all where the body turns by little more than they do.
+ * above all where the body turns by little more than they do. Neither costs anything for an output left out.
  *
  *   initial    three points before, [9], one point after the other.
  *   final      the same three points after, in the same order.
@@ -28,15 +28,16 @@ extern "C" {
  * Bottema & Roth (eq. 23): with two vectors x, y of the body, x' and y' after, the half-angle vector
  *   (v; w) = ((x' - x) x (y' - y); (x' - x) . (y' + y))  is proportional to  (sin(theta/2) e; cos(theta/2)),
  * which unlike v/w = tan(theta/2) e has no infinity at a half-turn. For two sides of the triangle (v; w) is the same in
- * whatever order the points are taken, and 0 where the screw axis is parallel to their plane. So the plane's normal is
- * the third candidate, and of the three pairs the one that tells most is used: with dx = x' - x, dy = y' - y and
- * sy = y' + y that with the largest (v.v + w w) / (4 dx.dx + dy.dy + sy.sy), the sides taken relative to the longest
- * and the normal as y. Where even that one is far shorter than the sides have moved, they changed their lengths rather
- * than turned, and the rotation is that of Laub & Shiflett.
+ * whatever order the points are taken, as long as the sides keep their lengths; x is here the side from the first point
+ * to the second, y that from the third to the first. In every order it is 4 sin(theta/2) |e . N| long, N = x x y, and 0
+ * where the screw axis is parallel to the plane of the points. So where (v; w) says itself that the axis stands at less
+ * than asin(1/4), 14.5 degrees, to the plane, and where the triangle is so thin (k^2 > 1/(600 eps)) or the motion so near
+ * to none or to a half-turn that rounding has a say in it, the rotation is that of Laub & Shiflett.
  *
  * Laub & Shiflett (eq. 12 and 13): [Q] = [Pf] [Pi]^-1, R = [Q] - p v^T, with both origins moved along the normal of
- * their plane and the axes along the longest side and the normal, so that [Pi] is never singular and a thin triangle of
- * relative height h loses eps/h, not eps/h^2. R is then made a rotation through its quaternion.
+ * their plane, so that [Pi] is never singular and a thin triangle of relative height h loses eps/h, not eps/h^2. With
+ * sides a, c and the normal N = a x c before, a', c', N' after, that is R = (a' (c x N)^T + c' (N x a)^T + N' N^T) / N.N.
+ * R is then made a rotation through its quaternion.
  *
  * Then u = e . D and A by eq. 10 and 24 at the centroid, which moves from C to C + D.
  *
@@ -51,7 +52,7 @@ extern "C" {
  *   CHS_NO_MOTION         nor did the centroid move
  *   CHS_ILL_CONDITIONED   k > eps^-1/2; a half-turn is then not told
  *   CHS_ERR_NAN, CHS_ERR_INFINITE
- *   CHS_ERR_OVERFLOW      a side, a sum of three coordinates or the result is beyond the format
+ *   CHS_ERR_OVERFLOW      a side, the difference of two sides or the result is beyond the format
  *   CHS_ERR_COINCIDENT    a side, before or after, is not above 4 eps of the largest coordinate
  *   CHS_ERR_COLLINEAR     a height is not above 8 eps of it
  *   CHS_ERR_NOT_RIGID     beyond the tolerance, or a tolerance that is negative or NaN

@@ -41,7 +41,7 @@ def evaluate_points(method, fmt, points, moved, tolerance):
     kappa, rho = initial.condition, max(norm(p) for p in points + moved)
     if 16 * kappa * fmt.eps * rho > initial.longest:
         raise Unclear  # as good as collinear: the coordinates hardly resolve the smallest height
-    q, doubt = quaternion(method, initial, final)
+    q, doubt = quaternion(method, initial, final, fmt.eps)
     if doubt > fmt.eps * kappa / 64:
         raise Unclear
     found = Displacement(q, initial, final)

@@ -6,7 +6,7 @@ that rounding could make a method choose, the method's own first, so that a case
 same.
 """
 
-from mpmath import ldexp, mp, mpf, workprec
+from mpmath import ldexp, mpf, workprec
 
 import exact
 from exact import add, apply, cross, dot, norm, subtract, times
@@ -30,44 +30,49 @@ class Triangle:
         order = sorted(range(3), key=lambda i: -self.sides[i])
         return [i for i in order if self.sides[i] >= self.longest * (1 - TIE)]
 
-    def from_pivot(self, pivot):
-        """The vectors from the pivot to the other two points, in cyclic order."""
-        points = self.points
-        return [subtract(points[(pivot + j) % 3], points[pivot]) for j in (1, 2)]
+    def offset(self, other):
+        """The squares of how far the centroid is and how far it goes."""
+        c, d = (times(mpf(1) / 3, add(add(t.points[0], t.points[1]), t.points[2])) for t in (self, other))
+        return dot(c, c) + dot(subtract(d, c), subtract(d, c))
 
 
-def bottema_roth_choices(initial, final):
-    """Unit quaternions (d, n), by the pair of vectors that tells most about the rotation."""
-    octave = mp.mag(initial.longest) - 1  # the length scale is a power of two within a factor 2 of the longest side
-    chosen = []
-    for pivot in initial.pivots():
-        before, after = initial.from_pivot(pivot), final.from_pivot(pivot)
-        for scale in (octave, octave - 1, octave + 1):
-            x = [scaled_frame(*vectors, scale) for vectors in (before, after)]
-            pairs = [pair_quaternion(x[0][i], x[1][i], x[0][j], x[1][j]) for i, j in ((0, 1), (0, 2), (1, 2))]
-            telling = [size for _, size in pairs]
-            order = sorted(range(3), key=lambda i: -telling[i])
-            chosen += [exact.unit(pairs[i][0]) for i in order if telling[i] >= max(telling) * (1 - TIE) and telling[i] > 0]
-    return chosen
+def bottema_roth_choices(initial, final, eps):
+    """Unit quaternions (d, n): by eq. 23 where that is well conditioned, and otherwise those of Laub & Shiflett."""
+    a, c = from_first(initial)
+    a_after, c_after = from_first(final)
+    q = half_angle_quaternion(a, a_after, c, c_after)
+    dd, nn = q[0] ** 2, dot(q[1:], q[1:])
+    if nn == 0 or dd == 0:
+        return laub_shiflett_choices(initial, final, eps)
+    span = sum(s**2 for s in initial.sides + final.sides)
+    areas = [dot(n, n) for n in (cross(a, c), cross(a_after, c_after))]
+    reach = initial.offset(final) + span
+    zone = (8 * eps * span) ** 2 / areas[0]
+    clear = [  # each must be at least 1
+        (dd + nn) ** 2 / (nn * areas[0]),
+        min(areas) / (64 * eps * span**2),
+        span / (4 * eps * reach),
+        nn * span / (zone * reach * (dd + nn)),
+        dd / (zone * nn),
+    ]
+    chosen = [exact.unit(q)] if min(clear) > mpf("0.5") else []
+    others = laub_shiflett_choices(initial, final, eps) if min(clear) < 2 else []
+    return chosen + others if min(clear) >= 1 else others + chosen
 
 
-def scaled_frame(a, c, octave):
-    """a / l, c / l and N / l^2 with N = a x c: of the same order, whatever the size of the triangle."""
-    a, c = times(ldexp(1, -octave), a), times(ldexp(1, -octave), c)
-    return a, c, cross(a, c)
+def from_first(triangle):
+    """The sides from the first point to the second and from the third to the first."""
+    p = triangle.points
+    return subtract(p[1], p[0]), subtract(p[0], p[2])
 
 
-def pair_quaternion(x, x_after, y, y_after):
-    """(d, n), proportional to (cos(theta/2), sin(theta/2) e), n = dx x dy, d = dx . sy; and how much it tells.
-
-    That is its squared length over the squares of what errors of x and y are multiplied by, those of y counted double.
-    """
+def half_angle_quaternion(x, x_after, y, y_after):
+    """(d, n), proportional to (cos(theta/2), sin(theta/2) e): n = dx x dy, d = dx . sy."""
     dx, dy, sy = subtract(x_after, x), subtract(y_after, y), add(y_after, y)
-    q = [dot(dx, sy)] + cross(dx, dy)
-    return q, dot(q, q) / (4 * dot(dx, dx) + dot(dy, dy) + dot(sy, sy))
+    return [dot(dx, sy)] + cross(dx, dy)
 
 
-def laub_shiflett_choices(initial, final):
+def laub_shiflett_choices(initial, final, eps):
     """Unit quaternions by the rotation matrix of the two triangles' frames and its largest quaternion column."""
     chosen = []
     with workprec(FINE_BITS):
@@ -122,7 +127,7 @@ class Displacement:
         return self.axis + self.point + [self.translation, self.angle]
 
 
-def quaternion(method, initial, final):
+def quaternion(method, initial, final, eps):
     """(q, doubt): the method's quaternion, and how far the other choices that rounding could make are from it.
 
     q is None when the sides have not turned at all.
@@ -130,7 +135,7 @@ def quaternion(method, initial, final):
     sides = [[subtract(t.points[j], t.points[0]) for j in (1, 2)] for t in (initial, final)]
     if sides[0] == sides[1]:
         return None, mpf(0)
-    choices = METHODS[method](initial, final)
+    choices = METHODS[method](initial, final, eps)
     q = choices[0]
     doubt = max(min(norm(subtract(q, r)), norm(add(q, r))) for r in choices)
     return q, doubt
