@@ -1,10 +1,13 @@
 /* compare.c - chasles compare: the library against reference vectors. */
 #include <getopt.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "commands.h"
+#include "device.h"
+#include "line.h"
 #include "paths.h"
 #include "report.h"
 #include "selection.h"
@@ -20,11 +23,19 @@ const char compare_help[] =
     "public header promises, PASS or FAIL, and the name of the worst case. Statuses must be exactly those expected,\n"
     "and on an error status no byte of the outputs may change.\n"
     "\n"
+    "With --device the functions are called on a controller, or an emulated one, that runs the program of\n"
+    "tools/firmware, and its results are compared; a column says whether their bits and statuses equal those of this\n"
+    "machine (any NaN equals any other). Where the device counts, the least and the most instructions of a call are\n"
+    "shown, the least among calls without an error. A line that loses or damages bytes costs time, not results:\n"
+    "requests are repeated, and counted.\n"
+    "\n"
     "Of a directory, the files that end in .f64.txt or .f32.txt are read; '-' is standard input.\n"
     "\n"
     "options:\n"
     "  --only FUNCTION    compare this function only; may be repeated, or hold several parted by commas\n"
     "                     (default: all)\n"
+    "  --device LINE      call the functions on a device: /dev/NAME[:BAUD] (115200 unless given), tcp:HOST:PORT, or\n"
+    "                     exec:COMMAND for a program that is one on its standard input and output\n"
     "  --worst N          print the N worst cases in full, in hexadecimal and decimal (default: 0)\n"
     "  --quiet            print only the rows that fail, and the summary\n"
     "  --csv FILE         write the table to FILE as CSV\n"
@@ -34,11 +45,13 @@ const char compare_help[] =
     "exit status:\n"
     "  0  every result is within its promise\n"
     "  1  some result is not, or a status or an untouched output is wrong\n"
-    "  2  unusable input: nothing to read, a malformed file, an unknown function, an output that cannot be written\n"
+    "  2  unusable input: nothing to read, a malformed file, an unknown function, a device that does not\n"
+    "     answer, an output that cannot be written\n"
     "\n"
     "examples:\n"
     "  chasles compare tests/vectors\n"
-    "  chasles compare --only so3_exp,so3_log --worst 3 --json report.json tests/vectors\n";
+    "  chasles compare --only so3_exp,so3_log --worst 3 --json report.json tests/vectors\n"
+    "  chasles compare --device /dev/ttyACM0 --only so3_exp tests/vectors\n";
 
 enum { MOST_WORST = 10000, CASES_BETWEEN_PROGRESS = 4096 };
 
@@ -49,6 +62,7 @@ struct options {
   bool quiet;
   const char *csv;
   const char *json;
+  const char *device;
 };
 
 /* How far the run is, once a second, on a terminal only. */
@@ -57,12 +71,6 @@ struct progress {
   bool shown;
   time_t last; /* second of the start, then of the last line shown */
 };
-
-static time_t seconds_now(void) {
-  struct timespec now = {0};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec;
-}
 
 static void progress_show(struct progress *progress, int file, int files, const struct tally *tally) {
   if (!progress->terminal || seconds_now() == progress->last) return;
@@ -75,20 +83,62 @@ static void progress_end(const struct progress *progress) {
   if (progress->shown) fputs("\r\033[K", stderr);
 }
 
-static bool compare_cases(struct tally *tally, const char *name, struct vectors *vectors, struct progress *progress,
-                          int file, int files) {
-  struct vector_case record;
+/* Cases that are read ahead, because a device takes many at a time. */
+struct batch {
+  struct device *device; /* NULL: the library in this program */
+  int space;
+  int count;
+  struct vector_case *records;
+  struct device_call *calls;
+};
+
+static bool batch_init(struct batch *batch, struct device *device) {
+  batch->device = device;
+  batch->space = device == NULL ? 1 : device_batch(device);
+  batch->count = 0;
+  batch->records = calloc((size_t)batch->space, sizeof *batch->records);
+  batch->calls = calloc((size_t)batch->space, sizeof *batch->calls);
+  if (batch->records != NULL && batch->calls != NULL) return true;
+  complain("not enough memory for %d cases", batch->space);
+  return false;
+}
+
+static void batch_free(struct batch *batch) {
+  free(batch->records);
+  free(batch->calls);
+}
+
+/* Evaluates the cases read so far, and forgets them. */
+static bool batch_compare(struct batch *batch, struct tally *tally, const char *name, const struct vectors *vectors) {
+  const struct function *function = vectors->function;
+  for (int i = 0; i < batch->count; ++i) batch->calls[i].in = batch->records[i].in;
+  if (batch->device != NULL &&
+      !device_evaluate(batch->device, function, vectors->precision, batch->calls, batch->count)) {
+    return false;
+  }
+  for (int i = 0; i < batch->count; ++i) {
+    const struct vector_case *record = &batch->records[i];
+    struct answer here;
+    evaluate(function, vectors->precision, record->in, &here);
+    if (!tally_add(tally, name, vectors, record, &here, batch->device == NULL ? NULL : &batch->calls[i])) return false;
+  }
+  batch->count = 0;
+  return true;
+}
+
+static bool compare_cases(struct tally *tally, const char *name, struct vectors *vectors, struct batch *batch,
+                          struct progress *progress, int file, int files) {
   long count = 0;
   enum text_result result;
-  while ((result = vectors_next(vectors, &record)) == TEXT_LINE) {
-    if (!tally_add(tally, name, vectors, &record)) return false;
+  while ((result = vectors_next(vectors, &batch->records[batch->count])) == TEXT_LINE) {
+    if (++batch->count == batch->space && !batch_compare(batch, tally, name, vectors)) return false;
     if (++count % CASES_BETWEEN_PROGRESS == 0) progress_show(progress, file, files, tally);
   }
   if (result == TEXT_END && count == 0) result = text_expected(&vectors->text, NULL, "'case'");
-  return result == TEXT_END;
+  return result == TEXT_END && batch_compare(batch, tally, name, vectors);
 }
 
-static bool compare_files(struct tally *tally, const struct options *options) {
+static bool compare_files(struct tally *tally, const struct options *options, struct batch *batch) {
   struct progress progress = {isatty(STDERR_FILENO) != 0, false, seconds_now()};
   bool good = true;
   for (int i = 0; good && i < options->paths.count; ++i) {
@@ -99,7 +149,7 @@ static bool compare_files(struct tally *tally, const struct options *options) {
     if (!good) break;
     if (selection_has(&options->only, vectors.function)) {
       ++tally->files;
-      good = compare_cases(tally, name, &vectors, &progress, i + 1, options->paths.count);
+      good = compare_cases(tally, name, &vectors, batch, &progress, i + 1, options->paths.count);
     }
     vectors_close(&vectors);
   }
@@ -130,12 +180,13 @@ static void print_uncovered(const struct tally *tally, const struct options *opt
   if (any) putchar('\n');
 }
 
-static int report(struct tally *tally, const struct options *options) {
+static int report(struct tally *tally, const struct options *options, const struct device *device) {
   tally_sort(tally);
   report_table(tally, options->quiet);
   report_faults(tally);
   report_worst(tally);
   print_uncovered(tally, options);
+  if (device != NULL) report_device(tally, device);
   report_summary(tally);
   bool written = options->csv == NULL || report_csv(tally, options->csv);
   if (options->json != NULL && !report_json(tally, options->json)) written = false;
@@ -143,31 +194,44 @@ static int report(struct tally *tally, const struct options *options) {
   return tally->failures == 0 ? ALL_WELL : SOMETHING_OVER;
 }
 
-static int compare(struct options *options) {
+static int compare_with(struct options *options, struct device *device) {
   struct tally tally;
+  struct batch batch;
+  int status = UNUSABLE;
   paths_sort(&options->paths);
   if (!tally_init(&tally, (int)options->worst)) return UNUSABLE;
-  int status = UNUSABLE;
-  if (compare_files(&tally, options) && check_coverage(&tally, options)) status = report(&tally, options);
+  tally.device = device != NULL;
+  if (batch_init(&batch, device) && compare_files(&tally, options, &batch) && check_coverage(&tally, options)) {
+    status = report(&tally, options, device);
+  }
+  batch_free(&batch);
   tally_free(&tally);
+  return status;
+}
+
+static int compare(struct options *options) {
+  if (options->device == NULL) return compare_with(options, NULL);
+  struct device *device = device_open(options->device);
+  if (device == NULL) return UNUSABLE;
+  const int status = compare_with(options, device);
+  device_close(device);
   return status;
 }
 
 /* Returns the exit status when the run ends here, or -1. */
 static int read_options(int argc, char **argv, struct options *options) {
-  static const struct option names[] = {{"only", required_argument, NULL, 'o'},
-                                        {"worst", required_argument, NULL, 'w'},
-                                        {"quiet", no_argument, NULL, 'q'},
-                                        {"csv", required_argument, NULL, 'c'},
-                                        {"json", required_argument, NULL, 'j'},
-                                        {"help", no_argument, NULL, 'h'},
-                                        {NULL, 0, NULL, 0}};
+  static const struct option names[] = {
+      {"only", required_argument, NULL, 'o'},  {"device", required_argument, NULL, 'd'},
+      {"worst", required_argument, NULL, 'w'}, {"quiet", no_argument, NULL, 'q'},
+      {"csv", required_argument, NULL, 'c'},   {"json", required_argument, NULL, 'j'},
+      {"help", no_argument, NULL, 'h'},        {NULL, 0, NULL, 0}};
   int option;
   while ((option = getopt_long(argc, argv, ":h", names, NULL)) != -1) {
     switch (option) {
     case 'o':
       if (!selection_add(&options->only, optarg)) return UNUSABLE;
       break;
+    case 'd': options->device = optarg; break;
     case 'w':
       if (parse_integer(optarg, 0, MOST_WORST, &options->worst)) break;
       complain("--worst expects a number from 0 to %d, not '%s'", (int)MOST_WORST, optarg);

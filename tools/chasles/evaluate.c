@@ -11,6 +11,8 @@ enum { FILL = 0xff, SPARE = 4 };
 
 const char *precision_name(enum precision precision) { return precision == DOUBLE_PRECISION ? "double" : "float"; }
 
+int precision_digits(enum precision precision) { return precision == DOUBLE_PRECISION ? 16 : 8; }
+
 double precision_eps(enum precision precision) {
   return precision == DOUBLE_PRECISION ? DBL_EPSILON : (double)FLT_EPSILON;
 }

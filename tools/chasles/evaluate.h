@@ -14,6 +14,7 @@ enum precision { DOUBLE_PRECISION, FLOAT_PRECISION };
 enum { PRECISIONS = 2 };
 
 const char *precision_name(enum precision precision);    /* "double", "float" */
+int precision_digits(enum precision precision);          /* hexadecimal, of a bit pattern: 16, 8 */
 double precision_eps(enum precision precision);          /* 2^-52, 2^-23 */
 bool fits_precision(double x, enum precision precision); /* NaN and infinities fit */
 

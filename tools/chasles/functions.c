@@ -53,7 +53,7 @@ const struct function functions[] = {
 
 const int function_count = (int)(sizeof functions / sizeof functions[0]);
 
-static int same_text(const char *a, const char *b) {
+int same_text(const char *a, const char *b) {
   while (*a != '\0' && *a == *b) {
     ++a;
     ++b;

@@ -36,6 +36,8 @@ extern const int function_count;
 /* The function of that name, or NULL. */
 const struct function *find_function(const char *name);
 
+int same_text(const char *a, const char *b);
+
 /* The promise for that group of the function's outputs, or NULL. */
 const struct promise *find_promise(const struct function *function, const char *group);
 

@@ -76,7 +76,24 @@ static int label_width(const struct tally *tally, bool quiet) {
   return (int)width;
 }
 
-static void print_row(const struct row *row, int width, bool colour) {
+/* The columns of a device, whose titles are given in place of a row's contents. */
+static void print_device_columns(const struct tally *tally, const char *bits, const char *least, const char *most) {
+  if (!tally->device) return;
+  printf("  %-12s", bits);
+  if (tally->counted) printf(" %8s %8s", least, most);
+}
+
+static void print_row_device(const struct tally *tally, const struct row *row) {
+  char bits[LABEL] = "same bits";
+  char least[NUMBER] = "-";
+  char most[NUMBER];
+  if (row->different > 0) snprintf(bits, sizeof bits, "%ld differ", row->different);
+  if (row->least > 0) snprintf(least, sizeof least, "%lu", row->least);
+  snprintf(most, sizeof most, "%lu", row->most);
+  print_device_columns(tally, bits, least, most);
+}
+
+static void print_row(const struct tally *tally, const struct row *row, int width, bool colour) {
   char label[LABEL];
   char largest[NUMBER] = "-";
   char mean[NUMBER] = "-";
@@ -87,9 +104,10 @@ static void print_row(const struct row *row, int width, bool colour) {
     put_error(row_mean(row), mean);
     snprintf(promise, sizeof promise, "%g", row->promise);
   }
-  printf("%-*s %-6s %-10s %6ld %9s %9s %7s  %s  %s\n", width, label, precision_name(row->precision), row->band,
-         row->cases, largest, mean, promise, verdict(row->failures == 0, colour),
-         row->measured > 0 ? row->worst_case : "-");
+  printf("%-*s %-6s %-10s %6ld %9s %9s %7s  %s", width, label, precision_name(row->precision), row->band, row->cases,
+         largest, mean, promise, verdict(row->failures == 0, colour));
+  print_row_device(tally, row);
+  printf("  %s\n", row->measured > 0 ? row->worst_case : "-");
 }
 
 void report_table(const struct tally *tally, bool quiet) {
@@ -100,11 +118,13 @@ void report_table(const struct tally *tally, bool quiet) {
     if (quiet && tally->rows[i].failures == 0) continue;
     if (!titled) {
       printf("Errors in eps of the format, relative to each group's scale.\n\n");
-      printf("%-*s %-6s %-10s %6s %9s %9s %7s  %-4s  %s\n", width, "function", "format", "band", "cases", "largest",
-             "mean", "promise", "", "worst case");
+      printf("%-*s %-6s %-10s %6s %9s %9s %7s  %-4s", width, "function", "format", "band", "cases", "largest", "mean",
+             "promise", "");
+      print_device_columns(tally, "device", "least", "most");
+      printf("  %s\n", "worst case");
     }
     titled = true;
-    print_row(&tally->rows[i], width, colour);
+    print_row(tally, &tally->rows[i], width, colour);
   }
   if (titled) putchar('\n');
 }
@@ -113,6 +133,24 @@ void report_table(const struct tally *tally, bool quiet) {
 static void print_expected_statuses(const struct vector_case *record) {
   for (int i = 0; i < record->status_count; ++i) printf("%s%d", i == 0 ? "" : "|", record->statuses[i]);
   if (record->status_count == 1) printf(" (%s)", chs_status_text(record->statuses[0]));
+}
+
+/* The first difference from this machine's answer. */
+static void print_different_bits(const struct specimen *specimen) {
+  const struct answer *there = &specimen->answer;
+  const struct answer *here = &specimen->here;
+  if (there->status != here->status) {
+    printf("status %d on the device, %d here\n", there->status, here->status);
+    return;
+  }
+  for (int i = 0; i < specimen->function->outputs; ++i) {
+    const uint64_t a = precision_bits(there->out[i], specimen->precision);
+    const uint64_t b = precision_bits(here->out[i], specimen->precision);
+    if (a == b) continue;
+    printf("out[%d] is %a on the device, %a here\n", i, there->out[i], here->out[i]);
+    return;
+  }
+  printf("the outputs are %s on the device, and not here\n", there->untouched ? "untouched" : "written");
 }
 
 static void print_fault(const struct specimen *specimen) {
@@ -129,6 +167,7 @@ static void print_fault(const struct specimen *specimen) {
     printf("outputs were written in spite of status %d (%s)\n", answer->status, chs_status_text(answer->status));
     break;
   case WROTE_PAST: printf("something was written behind the %d outputs\n", specimen->function->outputs); break;
+  case DIFFERENT_BITS: print_different_bits(specimen); break;
   case NO_FAULT: break;
   }
 }
@@ -192,6 +231,14 @@ void report_worst(const struct tally *tally) {
   for (int i = 0; i < tally->worst_count; ++i) print_specimen(&tally->worst[i], i + 1);
 }
 
+void report_device(const struct tally *tally, const struct device *device) {
+  const struct device_losses losses = device_losses(device);
+  printf("device: %s; cases %ld, same bits %ld, other bits %ld; requests repeated %ld (%ld damaged lines, %ld "
+         "silences)\n",
+         device_description(device), tally->cases, tally->cases - tally->different, tally->different, losses.repeated,
+         losses.damaged, losses.silences);
+}
+
 static int functions_seen(const struct tally *tally) {
   int count = 0;
   for (int i = 0; i < function_count; ++i) count += tally->seen[i];
@@ -205,7 +252,8 @@ void report_summary(const struct tally *tally) {
 }
 
 static void write_csv(const struct tally *tally, FILE *file) {
-  fputs("function,group,precision,band,cases,failures,largest_eps,mean_eps,promise_eps,worst_case,result\n", file);
+  fputs("function,group,precision,band,cases,failures,largest_eps,mean_eps,promise_eps,worst_case,result", file);
+  fputs(tally->device ? ",other_bits,least_instructions,most_instructions\n" : "\n", file);
   for (int i = 0; i < tally->row_count; ++i) {
     const struct row *row = &tally->rows[i];
     fprintf(file, "%s,%s,%s,%s,%ld,%ld,", row->function->name, row->group == NULL ? "" : row->group->group,
@@ -215,7 +263,9 @@ static void write_csv(const struct tally *tally, FILE *file) {
     } else {
       fputs(",,,,", file);
     }
-    fprintf(file, "%s\n", row->failures == 0 ? "PASS" : "FAIL");
+    fputs(row->failures == 0 ? "PASS" : "FAIL", file);
+    if (tally->device) fprintf(file, ",%ld,%lu,%lu", row->different, row->least, row->most);
+    fputc('\n', file);
   }
 }
 
@@ -252,7 +302,7 @@ static void json_error(FILE *file, const char *key, bool measured, double error)
   }
 }
 
-static void json_row(FILE *file, const struct row *row) {
+static void json_row(FILE *file, const struct tally *tally, const struct row *row) {
   const bool measured = row->measured > 0;
   fprintf(file, "    {\"function\": \"%s\", ", row->function->name);
   if (row->group == NULL) {
@@ -270,11 +320,16 @@ static void json_row(FILE *file, const struct row *row) {
   } else {
     fputs("\"worst_case\": null, ", file);
   }
+  if (tally->device) {
+    fprintf(file, "\"other_bits\": %ld, \"least_instructions\": %lu, \"most_instructions\": %lu, ", row->different,
+            row->least, row->most);
+  }
   fprintf(file, "\"pass\": %s}", row->failures == 0 ? "true" : "false");
 }
 
 static void json_fault(FILE *file, const struct specimen *specimen) {
-  static const char *const kinds[] = {"", "wrong status", "outputs written", "written behind the outputs"};
+  static const char *const kinds[] = {"", "wrong status", "outputs written", "written behind the outputs",
+                                      "other bits on the device"};
   fputs("    {\"file\": ", file);
   json_text(file, specimen->file);
   fprintf(file, ", \"line\": %ld, \"function\": \"%s\", \"precision\": \"%s\", \"case\": \"%s\", \"fault\": \"%s\", ",
@@ -296,7 +351,7 @@ static void write_json(const struct tally *tally, FILE *file) {
   fputs("  \"rows\": [", file);
   for (int i = 0; i < tally->row_count; ++i) {
     fputs(i == 0 ? "\n" : ",\n", file);
-    json_row(file, &tally->rows[i]);
+    json_row(file, tally, &tally->rows[i]);
   }
   fprintf(file, "\n  ],\n  \"fault_count\": %ld,\n  \"faults\": [", tally->fault_count);
   for (long i = 0; i < faults_kept(tally); ++i) {

@@ -15,6 +15,9 @@ void report_faults(const struct tally *tally);
 /* The worst cases in full. */
 void report_worst(const struct tally *tally);
 
+/* What the device is, whether its bits are those of this machine, and what the line lost. */
+void report_device(const struct tally *tally, const struct device *device);
+
 /* One line: verdict, cases, compiler, target, version. */
 void report_summary(const struct tally *tally);
 

@@ -70,10 +70,40 @@ static bool status_expected(const struct vector_case *record, int status) {
   return false;
 }
 
-static enum fault find_fault(const struct vector_case *record, const struct answer *answer) {
+/* NaNs differ in sign and payload from one machine to the next, and count as equal. */
+static bool same_number(double a, double b, enum precision precision) {
+  return (isnan(a) && isnan(b)) || precision_bits(a, precision) == precision_bits(b, precision);
+}
+
+static bool same_state(const struct answer *a, const struct answer *b) {
+  return a->status == b->status && a->untouched == b->untouched && a->wrote_past == b->wrote_past;
+}
+
+/* The outputs of the group, or that all is the same but for outputs. */
+static bool same_group(const struct group *group, const struct specimen *specimen) {
+  const struct answer *a = &specimen->answer;
+  const struct answer *b = &specimen->here;
+  if (!same_state(a, b)) return false;
+  for (int i = 0; i < group->count && a->status >= 0; ++i) {
+    if (!same_number(a->out[group->index[i]], b->out[group->index[i]], specimen->precision)) return false;
+  }
+  return true;
+}
+
+static bool same_answers(const struct vectors *vectors, const struct specimen *specimen) {
+  for (int i = 0; i < vectors->group_count; ++i) {
+    if (!same_group(&vectors->groups[i], specimen)) return false;
+  }
+  return same_state(&specimen->answer, &specimen->here);
+}
+
+static enum fault find_fault(const struct vectors *vectors, const struct specimen *specimen) {
+  const struct vector_case *record = &specimen->record;
+  const struct answer *answer = &specimen->answer;
   if (answer->wrote_past) return WROTE_PAST;
   if (!status_expected(record, answer->status)) return WRONG_STATUS;
   if (answer->status < 0 && !answer->untouched) return TOUCHED_OUTPUTS;
+  if (!same_answers(vectors, specimen)) return DIFFERENT_BITS;
   return NO_FAULT;
 }
 
@@ -129,6 +159,12 @@ static void row_add_error(struct row *row, enum fault fault, double error, const
   row->sum += error;
 }
 
+static void row_add_device(struct row *row, bool same, int status, unsigned long count) {
+  if (!same) ++row->different;
+  if (count > row->most) row->most = count;
+  if (status >= 0 && (row->least == 0 || count < row->least)) row->least = count;
+}
+
 /* Keeps the worst specimens in order; of two alike the first stays first. */
 static void keep_worst(struct tally *tally, const struct specimen *specimen) {
   int place = tally->worst_count;
@@ -146,13 +182,15 @@ static void keep_fault(struct tally *tally, const struct specimen *specimen) {
 }
 
 /* Adds the case to the row of each group and notes the worst of them in the specimen. */
-static bool add_groups(struct tally *tally, const struct vectors *vectors, struct specimen *specimen) {
+static bool add_groups(struct tally *tally, const struct vectors *vectors, struct specimen *specimen,
+                       unsigned long count) {
   const struct vector_case *record = &specimen->record;
   const bool measured = record->has_values && specimen->answer.status >= 0;
   for (int i = 0; i < vectors->group_count; ++i) {
     const struct group *group = &vectors->groups[i];
     struct row *row = find_row(tally, vectors, group->promise, record->band);
     if (row == NULL) return false;
+    row_add_device(row, same_group(group, specimen), specimen->answer.status, count);
     if (!measured) {
       row_add_status(row, specimen->fault);
       continue;
@@ -170,7 +208,9 @@ static bool add_groups(struct tally *tally, const struct vectors *vectors, struc
   return true;
 }
 
-bool tally_add(struct tally *tally, const char *file, const struct vectors *vectors, const struct vector_case *record) {
+bool tally_add(struct tally *tally, const char *file, const struct vectors *vectors, const struct vector_case *record,
+               const struct answer *here, const struct device_call *there) {
+  const unsigned long count = there == NULL ? 0 : there->count;
   struct specimen specimen;
   specimen.file = file;
   specimen.function = vectors->function;
@@ -180,15 +220,19 @@ bool tally_add(struct tally *tally, const char *file, const struct vectors *vect
   specimen.error = 0.0;
   specimen.promise = 0.0;
   specimen.excess = 0.0;
-  evaluate(vectors->function, vectors->precision, record->in, &specimen.answer);
-  specimen.fault = find_fault(record, &specimen.answer);
+  specimen.here = *here;
+  specimen.answer = there == NULL ? *here : there->answer;
+  specimen.fault = find_fault(vectors, &specimen);
 
-  if (!add_groups(tally, vectors, &specimen)) return false;
+  if (!add_groups(tally, vectors, &specimen, count)) return false;
   if (vectors->group_count == 0) {
     struct row *row = find_row(tally, vectors, NULL, record->band);
     if (row == NULL) return false;
+    row_add_device(row, same_state(&specimen.answer, here), specimen.answer.status, count);
     row_add_status(row, specimen.fault);
   }
+  if (!same_answers(vectors, &specimen)) ++tally->different;
+  if (count > 0) tally->counted = true;
   if (specimen.fault != NO_FAULT) specimen.excess = (double)INFINITY;
 
   ++tally->cases;

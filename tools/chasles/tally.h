@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "device.h"
 #include "vectors.h"
 
 /* One row of the table. */
@@ -19,11 +20,13 @@ struct row {
   double promise;
   double largest; /* in eps of the format, like sum */
   double sum;
+  long different;            /* cases whose outputs of this group have other bits on the device */
+  unsigned long least, most; /* instructions of a call on the device; the least of those without an error */
   char worst_case[MAX_NAME + 1];
 };
 
 /* A case that failed by something else than its error. */
-enum fault { NO_FAULT, WRONG_STATUS, TOUCHED_OUTPUTS, WROTE_PAST };
+enum fault { NO_FAULT, WRONG_STATUS, TOUCHED_OUTPUTS, WROTE_PAST, DIFFERENT_BITS };
 
 /* A case in full, as --worst prints it. */
 struct specimen {
@@ -31,7 +34,8 @@ struct specimen {
   const struct function *function;
   enum precision precision;
   struct vector_case record;
-  struct answer answer;
+  struct answer answer; /* the device's, if there is one */
+  struct answer here;   /* that of this machine */
   enum fault fault;
   const struct promise *group; /* the worst one; NULL when nothing was measured */
   double error;
@@ -53,15 +57,19 @@ struct tally {
   int files;               /* compared; the caller counts them */
   long cases;
   long failures;
-  bool *seen; /* one flag a function of the registry */
+  bool device;    /* the answers are a device's */
+  bool counted;   /* it counts instructions */
+  long different; /* cases with other bits there */
+  bool *seen;     /* one flag a function of the registry */
 };
 
 /* False with a message when memory is short, as in tally_add. `worst` specimens are kept. */
 bool tally_init(struct tally *tally, int worst);
 void tally_free(struct tally *tally);
 
-/* Evaluates one case and adds it. file must live as long as the tally. */
-bool tally_add(struct tally *tally, const char *file, const struct vectors *vectors, const struct vector_case *record);
+/* Adds one case, as answered here and, unless NULL, by the device. file must live as long as the tally. */
+bool tally_add(struct tally *tally, const char *file, const struct vectors *vectors, const struct vector_case *record,
+               const struct answer *here, const struct device_call *there);
 
 /* Rows in the order of the registry, then precision, group and band. */
 void tally_sort(struct tally *tally);

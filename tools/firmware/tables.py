@@ -1,0 +1,335 @@
+#!/usr/bin/env python3
+"""Measure what the library costs on each microcontroller, and compare with what is written down.
+
+    tables.py --show | --write | --check  [--only NAME,...] [--targets TARGET,...] [--kinds KIND,...]
+
+flash         bytes that a program links because it calls this one function, -Os and -O2: the function, what it calls
+              in the library, and what the compiler's own libraries add for soft float and square roots
+stack         most bytes of stack that a call takes, all that it calls included, at -O2
+instructions  least and most of a call over all reference vectors at -O2, net of a call that does nothing; the least is
+              that of calls without an error
+
+Everything is built anew below --build. The figures are the same on every run and every machine with the same compiler
+and emulator. --check fails where a figure has grown, or is missing; what has shrunk is printed, for --write to record.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import csv
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+TABLES = HERE / "tables"
+TARGETS = {"cortex-m0plus": "M0+", "cortex-m4": "M4F", "cortex-m7": "M7", "cortex-m33": "M33", "rv32imafc": "RV32"}
+COUNTED = ("cortex-m0plus", "cortex-m4", "cortex-m7", "rv32imafc")
+BUILD_TYPES = {"-Os": "MinSizeRel", "-O2": "Release"}
+KINDS = ("flash", "stack", "instructions")
+WHOLE = "whole library"
+ICOUNT = {"qemu-system-arm": "shift=8", "qemu-system-riscv32": "shift=0"}
+TEXTBOOK = "textbook, newlib"
+
+
+def run(*command, **options):
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False, **options)
+    if done.returncode:
+        sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}")
+    return done.stdout
+
+
+def build(directory, *arguments):
+    """Configure and build; with the compiler's notes on each function's stack."""
+    environment = {**os.environ, "CFLAGS": "-fstack-usage"}
+    run("cmake", "-S", ROOT, "-B", directory, "-DCHASLES_BUILD_TESTS=OFF", *arguments, env=environment)
+    run("cmake", "--build", directory, "--parallel", os.cpu_count() or 1)
+
+
+class Target:
+    """One microcontroller at one optimisation."""
+
+    def __init__(self, name, option, directory):
+        self.name, self.directory = name, directory / f"{name}{option}"
+        build(self.directory, f"-DCMAKE_TOOLCHAIN_FILE={HERE / name}.cmake",
+              "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[option]}")
+        commands = json.loads((self.directory / "compile_commands.json").read_text())
+        self.compiler, *words = commands[0]["command"].split()
+        self.flags = [word for word in words if re.match(r"-m|-O|--specs", word)]
+        if "arm" in self.compiler:
+            self.flags.append("--specs=nano.specs")
+        self.library = self.directory / "src" / "libchasles.a"
+
+    def tool(self, name):
+        return re.sub(r"gcc$", name, self.compiler)
+
+    def program(self, name):
+        return self.directory / "tools" / "firmware" / f"{name}.elf"
+
+    def functions(self):
+        """(name, format) -> symbol of each public function."""
+        found, single = {}, None
+        for line in run(self.tool("nm"), "-g", self.library).splitlines():
+            member = re.match(r"(\w+)\.c\.obj:$", line)
+            symbol = re.match(r"\w+ T (chs_(?!p_)(\w+))$", line)
+            if member:
+                single = member.group(1).endswith("f")
+            elif symbol:
+                name = symbol.group(2)
+                found[(name[:-1], "float") if single else (name, "double")] = symbol.group(1)
+        found.pop(("status_text", "double"), None)
+        return found
+
+
+def linked_bytes(target, symbols):
+    """Bytes in flash of a program that holds these functions and what they need."""
+    output = target.directory / ("links-" + re.sub(r"\W", "", symbols[0]) + str(len(symbols)))
+    roots = [f"-Wl,-u,{symbol}" for symbol in symbols]
+    run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{symbols[0]}", *roots,
+        target.library, "-lm", "-o", output)
+    size = run(target.tool("size"), output).splitlines()[1].split()
+    output.unlink()
+    return int(size[0]) + int(size[1])
+
+
+def measure_flash(target, only):
+    functions = target.functions()
+    wanted = {key: [symbol] for key, symbol in functions.items() if not only or key[0] in only}
+    if not only:
+        for precision in ("double", "float"):
+            wanted[(WHOLE, precision)] = [symbol for key, symbol in functions.items() if key[1] == precision]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        sizes = pool.map(lambda symbols: linked_bytes(target, symbols), wanted.values())
+        return {key: [size] for key, size in zip(wanted, sizes)}
+
+
+# Instructions that take stack, in the assembly that no .su file covers.
+STACK = (
+    (re.compile(r"(?:push|stmdb(?:\.w)?\s+sp!,|stmfd(?:\.w)?\s+sp!,)\s*(?:\.w\s*)?\{(.*)\}"), lambda m: 4 * registers(m)),
+    (re.compile(r"vpush\s+\{(d.*)\}"), lambda m: 8 * registers(m)),
+    (re.compile(r"vpush\s+\{(s.*)\}"), lambda m: 4 * registers(m)),
+    (re.compile(r"sub(?:w|\.w)?\s+(?:sp, )?sp, #(\d+)"), lambda m: int(m.group(1))),
+    (re.compile(r"strd?(?:\.w)?\s+.*\[sp, #-(\d+)\]!"), lambda m: int(m.group(1))),
+    (re.compile(r"addi\s+sp,sp,-(\d+)"), lambda m: int(m.group(1))),
+)
+CALL = re.compile(r"(?:bl|b|b\.w|b\.n|jal|j|tail|call)\s+(?:ra,)?(?:0x)?[0-9a-f]+ <([^>+]+)>")
+INDIRECT = re.compile(r"blx\s+r|jalr\s|jr\s+(?!ra)")
+
+
+def registers(match):
+    count = 0
+    for part in match.group(1).split(","):
+        ends = [int(end) for end in re.findall(r"\d+", part)]
+        count += ends[1] - ends[0] + 1 if "-" in part else 1
+    return count
+
+
+def read_frames(directory):
+    """name -> bytes of its own frame, as the compiler says; of several functions of one name the largest."""
+    frames = collections.defaultdict(int)
+    for file in (directory / "src").rglob("*.su"):
+        for line in file.read_text().splitlines():
+            where, size, kind = line.split("\t")
+            if kind != "static":
+                sys.exit(f"{where}: its stack is {kind}")
+            name = where.rsplit(":", 1)[1]
+            frames[name] = max(frames[name], int(size))
+    return frames
+
+
+def read_calls(target):
+    """name -> names that it calls, and the bytes of stack that its instructions take."""
+    calls, taken, name = collections.defaultdict(set), collections.defaultdict(int), None
+    indirect = set()
+    for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", target.program("device")).splitlines():
+        start = re.match(r"[0-9a-f]+ <([^>]+)>:$", line)
+        if start:
+            name = start.group(1)
+            continue
+        found = re.match(r"\s*[0-9a-f]+:\s+(.*)", line)
+        if not found:
+            continue
+        instruction = found.group(1)
+        called = CALL.search(instruction)
+        if called and called.group(1) != name:
+            calls[name].add(called.group(1))
+        if INDIRECT.match(instruction):
+            indirect.add(name)
+        for pattern, amount in STACK:
+            took = pattern.match(instruction)
+            if took:
+                taken[name] += amount(took)
+                break
+    return calls, taken, indirect
+
+
+def measure_stack(target, only):
+    frames = read_frames(target.directory)
+    calls, taken, indirect = read_calls(target)
+    depths = {}
+
+    def depth(name, above=()):
+        if name in above:
+            sys.exit(f"{target.name}: {name} calls itself: {' > '.join(above)}")
+        if name in indirect and name in frames:
+            sys.exit(f"{target.name}: {name} calls through a pointer")
+        if name not in depths:
+            own = frames.get(name, taken[name])
+            depths[name] = own + max((depth(called, above + (name,)) for called in calls[name]), default=0)
+        return depths[name]
+
+    return {key: [depth(symbol)] for key, symbol in target.functions().items() if not only or key[0] in only}
+
+
+def count(target, program, host, only):
+    """(name, format) -> least and most, as the device counts."""
+    table = target.directory / f"{program}.csv"
+    machine = re.search(r"^set\(target_machine (\S+)", (HERE / f"{target.name}.cmake").read_text(), re.M).group(1)
+    emulate = target.directory / "tools" / "firmware" / "emulate"
+    command = [host, "compare", "--quiet", "--csv", table, "--device",
+               f"exec:{emulate} {target.program(program)} -icount {ICOUNT[machine]}", ROOT / "tests" / "vectors"]
+    if only:
+        command += ["--only", ",".join(sorted(only))]
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          check=False)
+    if done.returncode == 2 or (done.returncode and program == "device"):
+        sys.exit(f"{target.name}: {program}:\n{done.stdout}")
+    counts = {}
+    for row in csv.DictReader(table.open()):
+        key = row["function"], row["precision"]
+        least, most = int(row["least_instructions"]), int(row["most_instructions"])
+        before = counts.get(key, (0, 0))
+        counts[key] = (min(filter(None, (before[0], least)), default=0), max(before[1], most))
+    return counts
+
+
+def measure_instructions(target, host, only):
+    overhead = count(target, "device_hollow", host, only)
+    result = {}
+    for program, label in (("device", None), ("device_textbook", TEXTBOOK)):
+        names = only
+        if label:
+            names = {name for name in TEXTBOOK_FUNCTIONS if not only or name in only}
+            if not names:
+                continue
+        for key, (least, most) in count(target, program, host, names).items():
+            if label and key[1] != "float":
+                continue
+            name = f"{key[0]} ({label})" if label else key[0]
+            off = overhead[key][1]
+            result[name, key[1]] = [max(least - off, 0), max(most - off, 0)]
+    return result
+
+
+TEXTBOOK_FUNCTIONS = re.findall(r"^int chs_(\w+)f\(", (HERE / "device" / "textbook.c").read_text(), re.M)
+ORDER = re.findall(r"^FUNCTION\((\w+),", (ROOT / "tools" / "chasles" / "functions.def").read_text(), re.M)
+
+
+def place(key):
+    name = key[0].split(" ")[0]
+    return (ORDER.index(name) if name in ORDER else len(ORDER), key[0] == WHOLE, key[1], key[0])
+
+
+def measure(kind, arguments):
+    """The columns' titles, and (name, format) -> figures."""
+    titles, rows = [], collections.defaultdict(dict)
+    for name in arguments.targets:
+        if kind == "instructions" and name not in COUNTED:
+            continue
+        for option in ("-Os", "-O2") if kind == "flash" else ("-O2",):
+            target = Target(name, option, arguments.build)
+            if kind == "flash":
+                columns, found = [f"{TARGETS[name]}{option}"], measure_flash(target, arguments.only)
+            elif kind == "stack":
+                columns, found = [TARGETS[name]], measure_stack(target, arguments.only)
+            else:
+                columns = [f"{TARGETS[name]}:least", f"{TARGETS[name]}:most"]
+                found = measure_instructions(target, arguments.program, arguments.only)
+            titles += columns
+            for key, figures in found.items():
+                rows[key].update(zip(columns, figures))
+    return titles, rows
+
+
+def text_of(kind, titles, rows):
+    width = max(len(key[0]) for key in rows)
+    lines = [f"# {' '.join(line.split())}" for line in explanation(kind)]
+    lines.append(f"{'function':{width}} {'format':6} " + " ".join(f"{title:>10}" for title in titles))
+    for key in sorted(rows, key=place):
+        cells = (str(rows[key].get(title, "-")) for title in titles)
+        lines.append(f"{key[0]:{width}} {key[1]:6} " + " ".join(f"{cell:>10}" for cell in cells))
+    return "\n".join(lines) + "\n"
+
+
+def explanation(kind):
+    paragraph = re.search(rf"^{kind} +(.*?)(?=^\S|\n\n)", __doc__, re.M | re.S).group(1)
+    return paragraph.strip().split("\n")
+
+
+def read_table(text):
+    titles, rows = [], {}
+    for line in text.splitlines():
+        if line.startswith("#"):
+            continue
+        name, precision, cells = re.match(r"(.+?) +(format|double|float) +(.*)", line).groups()
+        if precision == "format":
+            titles = cells.split()
+        else:
+            rows[name, precision] = {title: int(cell) for title, cell in zip(titles, cells.split()) if cell != "-"}
+    return rows
+
+
+def growths(kind, rows):
+    file = TABLES / f"{kind}.txt"
+    written = read_table(file.read_text()) if file.exists() else {}
+    for key in sorted(rows, key=place):
+        for title, figure in rows[key].items():
+            before = written.get(key, {}).get(title)
+            if before is None:
+                yield True, f"{kind}: {key[0]} {key[1]}, {title}: {figure}, not in the table"
+            elif figure != before and not title.endswith(":least"):
+                yield figure > before, f"{kind}: {key[0]} {key[1]}, {title}: {before} before, {figure} now"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("--show", action="store_true", help="print the tables")
+    what.add_argument("--write", action="store_true", help="write them to tables/")
+    what.add_argument("--check", action="store_true", help="compare them with tables/")
+    words = lambda text: text.split(",")
+    parser.add_argument("--only", type=words, default=[], help="these functions, without chs_")
+    parser.add_argument("--targets", type=words, default=list(TARGETS))
+    parser.add_argument("--kinds", type=words, default=list(KINDS))
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "tables")
+    parser.add_argument("--program", type=pathlib.Path, help="chasles, the host program; built unless given")
+    arguments = parser.parse_args()
+    if arguments.write and (arguments.only or len(arguments.targets) < len(TARGETS)):
+        parser.error("--write needs all functions and targets")
+    if not arguments.program:
+        build(arguments.build / "host", "-DCMAKE_BUILD_TYPE=Release")
+        arguments.program = arguments.build / "host" / "tools" / "chasles" / "chasles"
+
+    failed = False
+    for kind in arguments.kinds:
+        titles, rows = measure(kind, arguments)
+        if arguments.show:
+            print(text_of(kind, titles, rows))
+        elif arguments.write:
+            TABLES.mkdir(exist_ok=True)
+            (TABLES / f"{kind}.txt").write_text(text_of(kind, titles, rows))
+        else:
+            for grown, message in growths(kind, rows):
+                print(message if grown else f"{message} (less; --write records it)")
+                failed = failed or grown
+            print(f"{kind}: {sum(map(len, rows.values()))} figures compared")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
