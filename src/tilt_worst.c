@@ -2,6 +2,9 @@
 
 #include "rotation.h"
 
+/* What a pose of a few eps may show of errors where there are none, in radians and for a position of size 1. */
+#define ROUNDING (K(16.0) * EPS)
+
 enum { MEASURES = 3, MOST_CALLS = 1 << 30 };
 
 typedef FN(chs_tilt_robot) kinematics;
@@ -16,7 +19,8 @@ typedef struct study {
   real R[9], p[3];
   real *q, *best;
   real worst[MEASURES];
-  int status; /* the first that was positive, or CHS_OK */
+  real rounding[MEASURES]; /* a gain that is no larger is none */
+  int status;              /* the first that was positive, or CHS_OK */
 } study;
 
 static void split_pose(const real T[16], real R[9], real p[3]) {
@@ -50,6 +54,10 @@ static int errors_at(study *s, real error[MEASURES]) {
   return CHS_OK;
 }
 
+static int is_worse(const study *s, int m, const real error[MEASURES]) {
+  return error[m] > s->worst[m] + s->rounding[m];
+}
+
 /* Of `steps` values from -1 to 1 that of the index; both ends exactly. */
 static real part_of_interval(int index, int steps) { return (real)(2 * index - (steps - 1)) / (real)(steps - 1); }
 
@@ -62,7 +70,7 @@ static int search_grid(study *s, int calls) {
     int status = errors_at(s, error);
     if (status < 0) return status;
     for (int m = 0; m < MEASURES; m++) {
-      if (!(error[m] > s->worst[m]) && k > 0) continue;
+      if (k > 0 && !is_worse(s, m, error)) continue;
       s->worst[m] = error[m];
       copy(s->q, s->n, s->best + m * s->n);
     }
@@ -82,7 +90,7 @@ static int climb_once(study *s, int m, real part, int *higher) {
       s->q[i] = within(best[i] + (real)way * part * s->errors[i], low, high);
       int status = errors_at(s, error);
       if (status < 0) return status;
-      if (!(error[m] > s->worst[m])) continue;
+      if (!is_worse(s, m, error)) continue;
       s->worst[m] = error[m];
       best[i] = s->q[i];
       ++*higher;
@@ -124,8 +132,10 @@ int FN(chs_tilt_worst)(kinematics *robot, void *context, int n, const real *join
   for (int i = 0; i < n; i++)
     if (errors[i] < 0) return CHS_ERR_ARGUMENT;
 
-  study s = {robot, context, n, steps, joints, errors, {0}, {0}, scratch, scratch + n, {0}, CHS_OK};
+  study s = {robot, context, n, steps, joints, errors, {0}, {0}, scratch, scratch + n, {0}, {0}, CHS_OK};
   status = pose_of_robot(&s, joints, s.R, s.p);
+  s.rounding[0] = s.rounding[1] = ROUNDING;
+  s.rounding[2] = ROUNDING * norm(s.p, 3);
   if (status >= 0) status = search_grid(&s, calls);
   for (int m = 0; m < MEASURES && status >= 0; m++) status = climb(&s, m, refine);
   if (status < 0) return status;

@@ -78,7 +78,8 @@ int chs_tilt_from_rotationf(const float R[9], float *azimuth, float *tilt, float
  *            of the two origins.
  *   where    the joint values that gave them [3 n], n each; may be NULL.
  *
- * Near the robot's accuracy of a few eps of an angle, nothing is known of the errors.
+ * Gains up to 16 eps, times the size of the nominal position for the distance, are taken for rounding: a joint that does
+ * not matter stays at the lower end of its interval.
  * Returns CHS_OK, or the first positive status of the robot or of chs_tilt_error on the way; CHS_ERR_ARGUMENT,
  * CHS_ERR_NAN, CHS_ERR_INFINITE of joints and errors; and the first error of the robot or of chs_tilt_error, so that a
  * box that reaches a singularity is told. */

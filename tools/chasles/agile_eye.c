@@ -102,13 +102,6 @@ static int assembly_of(const double *joints, const double *R) {
   return nearest;
 }
 
-static bool is_inside(const double *joints, const double *worst, double epsilon) {
-  for (int i = 0; i < 3; ++i) {
-    if (fabs(worst[i] - joints[i]) < epsilon * (1.0 - 1e-9)) return true;
-  }
-  return false;
-}
-
 static struct node study_node(const struct options *options, double phi, double theta, double sigma) {
   struct node node = {NAN, NAN, NAN, CHS_OK, 0};
   double R[9];
@@ -130,8 +123,8 @@ static struct node study_node(const struct options *options, double phi, double 
   if (node.status < 0) return node;
   node.alpha = worst[0];
   node.beta = worst[1];
-  if (is_inside(joints, where, options->epsilon)) node.inside |= INSIDE_ALPHA;
-  if (is_inside(joints, where + 3, options->epsilon)) node.inside |= INSIDE_BETA;
+  if (is_inside(3, joints, errors, where)) node.inside |= INSIDE_ALPHA;
+  if (is_inside(3, joints, errors, where + 3)) node.inside |= INSIDE_BETA;
   return node;
 }
 
@@ -146,11 +139,6 @@ static void study_row(void *context, long row) {
   for (int i = 0; i < map->phis; ++i) {
     map->nodes[row * map->phis + i] = study_node(options, i * options->step, theta, sigma);
   }
-}
-
-static void print_degrees(FILE *file, double radians) {
-  fputc(',', file);
-  if (!isnan(radians)) fprintf(file, "%.9g", in_degrees(radians));
 }
 
 static void print_csv(const struct map *map, FILE *file) {
@@ -269,28 +257,10 @@ static void print_curves(const struct map *map, FILE *file) {
 
 /* ---- Options ---- */
 
-static bool read_degrees(const char *name, const char *word, double least, double most, double *value) {
-  if (read_number(word, value) && *value >= least && *value <= most) return true;
-  complain("--%s expects degrees from %g to %g, not '%s'", name, least, most, word);
-  return false;
-}
-
-static bool read_count(const char *name, const char *word, long least, long most, long *value) {
-  if (parse_integer(word, least, most, value)) return true;
-  complain("--%s expects a number from %ld to %ld, not '%s'", name, least, most, word);
-  return false;
-}
-
 static bool read_sigmas(const char *word, struct options *options) {
   options->sigma_count = read_number_list(word, options->sigmas, MOST_SIGMAS);
   if (options->sigma_count > 0) return true;
   complain("--sigma expects up to %d numbers as 0,60 or 0,20,...,120, not '%s'", MOST_SIGMAS, word);
-  return false;
-}
-
-static bool read_epsilon(const char *word, struct options *options) {
-  if (read_angle(word, &options->epsilon) && options->epsilon > 0.0 && options->epsilon <= 0.5) return true;
-  complain("--epsilon expects an angle above 0 and up to 0.5rad, as 0.01deg or 1e-4rad, not '%s'", word);
   return false;
 }
 
@@ -312,12 +282,12 @@ static int read_options(int argc, char **argv, struct options *options) {
   while (good && (option = getopt_long(argc, argv, ":h", names, NULL)) != -1) {
     switch (option) {
     case 's': good = read_sigmas(optarg, options); break;
-    case 'e': good = read_epsilon(optarg, options); break;
-    case 'd': good = read_degrees("step", optarg, 0.1, 90.0, &options->step); break;
-    case 'x': good = read_degrees("tilt", optarg, 0.0, 180.0, &options->tilt); break;
-    case 'g': good = read_count("grid", optarg, 2, 101, &options->grid); break;
-    case 'r': good = read_count("refine", optarg, 0, 40, &options->refine); break;
-    case 't': good = read_count("threads", optarg, 1, MOST_THREADS, &options->threads); break;
+    case 'e': good = option_epsilon(optarg, &options->epsilon); break;
+    case 'd': good = option_degrees("step", optarg, 0.1, 90.0, &options->step); break;
+    case 'x': good = option_degrees("tilt", optarg, 0.0, 180.0, &options->tilt); break;
+    case 'g': good = option_count("grid", optarg, 2, 101, &options->grid); break;
+    case 'r': good = option_count("refine", optarg, 0, 40, &options->refine); break;
+    case 't': good = option_count("threads", optarg, 1, MOST_THREADS, &options->threads); break;
     case 'o': options->out = optarg; break;
     case 'c': options->curves = optarg; break;
     case 'h': fputs(agile_eye_help, stdout); return ALL_WELL;

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "text.h"
+
 static const double pi = 3.14159265358979323846;
 
 double in_degrees(double radians) { return radians * (180.0 / pi); }
@@ -61,4 +63,34 @@ int read_number_list(const char *text, double *values, int most) {
     if (*text == '\0') return count;
     if (*text++ != ',') return 0;
   }
+}
+
+bool option_degrees(const char *name, const char *word, double least, double most, double *degrees) {
+  if (read_number(word, degrees) && *degrees >= least && *degrees <= most) return true;
+  complain("--%s expects degrees from %g to %g, not '%s'", name, least, most, word);
+  return false;
+}
+
+bool option_count(const char *name, const char *word, long least, long most, long *count) {
+  if (parse_integer(word, least, most, count)) return true;
+  complain("--%s expects a number from %ld to %ld, not '%s'", name, least, most, word);
+  return false;
+}
+
+bool option_epsilon(const char *word, double *radians) {
+  if (read_angle(word, radians) && *radians > 0.0 && *radians <= 0.5) return true;
+  complain("--epsilon expects an angle above 0 and up to 0.5rad, as 0.01deg or 1e-4rad, not '%s'", word);
+  return false;
+}
+
+void print_degrees(FILE *file, double radians) {
+  fputc(',', file);
+  if (!isnan(radians)) fprintf(file, "%.9g", in_degrees(radians));
+}
+
+bool is_inside(int joints, const double *nominal, const double *errors, const double *worst) {
+  for (int i = 0; i < joints; ++i) {
+    if (fabs(worst[i] - nominal[i]) < errors[i] * (1.0 - 1e-9)) return true;
+  }
+  return false;
 }

@@ -16,6 +16,7 @@ static const char help[] =
     "  solve FILE.csv          find the screw motion of a body from three measured markers\n"
     "  fk ROBOT VALUE...       forward kinematics: the pose of a robot's tool, its links, its Jacobian\n"
     "  agile-eye               map the rotational errors of the Agile Eye over its orientations\n"
+    "  arm-error ROBOT [q...]  find how wrong an arm's tool can be when its joints are\n"
     "  hash                    print one hash of the bits of all results over a large set of inputs\n"
     "  help [SUBCOMMAND]       print this help, or that of a subcommand\n"
     "\n"
@@ -36,8 +37,12 @@ struct command {
 };
 
 static const struct command commands[] = {
-    {"compare", compare_command, compare_help},       {"solve", solve_command, solve_help}, {"fk", fk_command, fk_help},
-    {"agile-eye", agile_eye_command, agile_eye_help}, {"hash", hash_command, hash_help},
+    {"compare", compare_command, compare_help},
+    {"solve", solve_command, solve_help},
+    {"fk", fk_command, fk_help},
+    {"agile-eye", agile_eye_command, agile_eye_help},
+    {"arm-error", arm_error_command, arm_error_help},
+    {"hash", hash_command, hash_help},
 };
 
 static const struct command *find_command(const char *name) {
