@@ -1,7 +1,6 @@
 #include <chasles/motion.h>
 
-#include "pose.h"
-#include "screw_private.h"
+#include "motion_private.h"
 
 /* Two triangles: the side a from the first point to the second and c from the third to the first, before and after. */
 typedef struct triangles {
@@ -88,12 +87,6 @@ static INLINE int plain(const triangles *t, const quaternion *q) {
   return (vv * (t->span * t->area) > zone * t->reach * (vv + ww)) & (ww * t->area > zone * vv);
 }
 
-/* The largest power of two not above x, for x in the format's normal range short of its ends (Rump's ufp). */
-static real power_of_two_below(real x) {
-  real q = x * (K(1.0) / EPS + K(1.0));
-  return ABS(q - (K(1.0) - K(0.5) * EPS) * q);
-}
-
 static inline real larger(real a, real b) { return a > b ? a : b; }
 
 /* Points too near to each other or to a line for their rounding errors to be told from their positions. */
@@ -171,16 +164,6 @@ static INLINE void write_pose(const triangles *t, const quaternion *q, real nn, 
   join(R, p, T);
 }
 
-static SELDOM int finish_translation(const triangles *t, screw *out, real T[16]) {
-  static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  screw s;
-  int status = screw_of_translation(t->travel, &s);
-  if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
-  if (out) *out = s;
-  if (T) join(identity, t->travel, T);
-  return status;
-}
-
 static const real sign_of[2] = {1, -1}; /* looked up, for a branch would be a coin's toss */
 
 static INLINE void write_plain(const triangles *t, const quaternion *q, screw *out, real T[16]) {
@@ -201,7 +184,7 @@ static int finish(const real initial[9], const real final[9], real tolerance, tr
     int status = examine(initial, final, tolerance, t, x);
     if (status != CHS_OK) return status;
   }
-  if (x->turned <= x->noise || n == 0) return finish_translation(t, out, T);
+  if (x->turned <= x->noise || n == 0) return finish_translation(t->travel, out, T);
   if (q->w < 0) negate(q);
   real condition = x->longest * x->longest / x->doubled, zone = K(8.0) * EPS * condition;
   int half_turn = q->w <= zone * n;

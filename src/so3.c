@@ -1,6 +1,6 @@
 #include <chasles/so3.h>
 
-#include "exact.h"
+#include "cofactors.h"
 #include "rotation.h"
 
 void FN(chs_so3_hat)(const real w[3], real W[9]) {
@@ -107,19 +107,6 @@ int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
   }
   *angle = FN(chs_p_angle_of)(norm(s, 3), trace - K(1.0));
   return CHS_OK;
-}
-
-/* C = cof(X), and its norm given that of X. */
-static real cofactors(const real X[9], real size, real C[9]) {
-  cross(X + 3, X + 6, C);
-  cross(X + 6, X, C + 3);
-  cross(X, X + 3, C + 6);
-  if (norm(C, 9) < K(0.125) * size * size) {
-    exact_cross(X + 3, X + 6, C);
-    exact_cross(X + 6, X, C + 3);
-    exact_cross(X, X + 3, C + 6);
-  }
-  return norm(C, 9);
 }
 
 /* Newton's iteration for the polar factor, X <- X/|X| + cof(X)/|cof(X)|: X and its cofactor matrix have the same

@@ -6,6 +6,7 @@
 #define CHASLES_MOTION_H
 
 #include <chasles/screw.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -78,6 +79,138 @@ int chs_motion_laub_shiflett(const double initial[9], const double final[9], dou
                              double T[16]);
 int chs_motion_laub_shiflettf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw,
                               float T[16]);
+
+/* How well a displacement fits the points, lengths in the unit of the points. */
+typedef struct chs_motion_quality {
+  double rms;        /* root of the weighted mean square of the residuals | y - (R x + p) | */
+  double largest;    /* the largest residual, unweighted; -1 where it is not known (streaming) */
+  size_t largest_at; /* the point that has it, from 0; the number of points used where it is not known */
+  double size;       /* root of the weighted mean square distance of the initial points from their centroid */
+  double rigidity;   /* rms / size: 0 for a rigid body, whatever the motion; what the tolerance is compared with */
+  double growth;     /* final size / initial size - 1: a wrong unit or scale, where it is much of the rigidity */
+  double condition;  /* k of the errors below */
+  size_t points;     /* used: there, and with a weight above 0 */
+  size_t missing;
+} chs_motion_quality;
+
+typedef struct chs_motion_qualityf {
+  float rms;
+  float largest;
+  size_t largest_at;
+  float size;
+  float rigidity;
+  float growth;
+  float condition;
+  size_t points;
+  size_t missing;
+} chs_motion_qualityf;
+
+/* The displacement that fits n >= 3 points best: of all rotations R and translations p the pair with the least weighted
+ * sum of squares of the residuals y - (R x + p) (Spoor & Veldpaus 1980, for any number of points and any weights).
+ *
+ *   n          number of points.
+ *   initial    the points before, [3 n], one point after the other.
+ *   final      the same points after, [3 n], in the same order.
+ *   weights    [n], each finite and >= 0; 0 leaves a point out. NULL: all 1. Weights of missing points are not read.
+ *   missing    [n], not 0 for a point that is missing; may be NULL. A point with a coordinate that is NaN or infinite,
+ *              before or after, is missing too, so that gaps in measured data need no mask.
+ *   tolerance  the largest rigidity (rms / size) that is accepted: 1e-3 suits a good optical system, 0.05 markers on
+ *              skin. INFINITY: none.
+ *   screw      as for three points; may be NULL.
+ *   T          the pose that takes initial to final; may be NULL. p takes the centroid to the centroid.
+ *   quality    may be NULL, which saves a second look at the points.
+ *
+ * R makes trace(R^T H) largest, H = sum w (y - C') (x - C)^T with the centroids C and C'. It is a rotation also where
+ * the best orthogonal matrix is a reflection (points in a plane, large errors, a mirror image). The largest value, s1 +
+ * s2 + s3 in signed singular values of H, is a root of a polynomial (Davenport 1968) and gives R without an
+ * eigenvector (Markley 1993); one Newton step on the rotations then brings it to the last digits.
+ *
+ * The points are looked at once and memory is constant, however many they are. Differences from one of their number
+ * are summed, so that an offset costs nothing but its own rounding; blocks of 64 join totals that keep their rounding
+ * errors, so that the errors do not grow with n; and what the differences are taken from is moved when the weight has
+ * grown eightfold, so that it never lies far outside the cloud.
+ *
+ * The reference of the errors is the least-squares displacement of the given points in exact arithmetic. With
+ *   k = N | (trace(S) I - S)^-1 |, S = R^T H, N^2 = sum w |x - C|^2 sum w |y - C'|^2, Frobenius norms,
+ * s = sin(theta/2), r the distance of the farthest point from the origin, f that from their centroid, and D the
+ * displacement of the centroid, they are relative to: rotation k; position p k r; axis k/s; angle k (absolute);
+ * translation r + k |D|/s; point k (r/s + |D|/s^2); residuals k f; size itself; rigidity k f/size; growth
+ * 1 + |growth|; condition k^2. k is 2.6 for a round cloud, 3 for a flat one; for a thin one of relative height h it
+ * grows like 1/h^2, since H holds squares: three of its points, well chosen, lose only eps/h with the methods above.
+ * A rotation of less than its own error, 2 k eps, counts as none; the angle of a half-turn ends at pi, on whichever side
+ * of it the convention for its axis leaves it.
+ *
+ * Returns CHS_OK, or
+ *   CHS_POINTS_MISSING       some are missing, and nothing of the following
+ *   CHS_HALF_TURN            pi - theta <= 16 k eps
+ *   CHS_PURE_TRANSLATION     no rotation
+ *   CHS_NO_MOTION            nor did the centroid move
+ *   CHS_ILL_CONDITIONED      k > eps^-1/2; a half-turn is then not told
+ *   CHS_ERR_ARGUMENT         a weight that is negative, NaN or infinite
+ *   CHS_ERR_OVERFLOW         a distance between points, a sum of weighted squares or the result is beyond the format
+ *   CHS_ERR_TOO_FEW_POINTS   fewer than three are left
+ *   CHS_ERR_COINCIDENT       the size, before or after, is not above 4 eps of the coordinates
+ *   CHS_ERR_COLLINEAR        nearer to a line than the rounding errors of the squares, a relative height of about
+ *                            3 eps^1/2, or of the coordinates
+ *   CHS_ERR_SINGULAR         more than one rotation is best, to within rounding: a mirror image of a cloud that is
+ *                            round about some axis, or points that have nothing to do with each other
+ *   CHS_ERR_NOT_RIGID        beyond the tolerance, or a tolerance that is negative or NaN
+ * Of several errors the first in this list counts, but of the first two the one that is met first. */
+#define CHS_EPS_MOTION_FIT_AXIS 8.0
+#define CHS_EPS_MOTION_FIT_POINT 8.0
+#define CHS_EPS_MOTION_FIT_TRANSLATION 8.0
+#define CHS_EPS_MOTION_FIT_ANGLE 8.0
+#define CHS_EPS_MOTION_FIT_ROTATION 8.0
+#define CHS_EPS_MOTION_FIT_POSITION 8.0
+#define CHS_EPS_MOTION_FIT_RESIDUALS 8.0
+#define CHS_EPS_MOTION_FIT_SIZE 8.0
+#define CHS_EPS_MOTION_FIT_RIGIDITY 8.0
+#define CHS_EPS_MOTION_FIT_GROWTH 12.0
+#define CHS_EPS_MOTION_FIT_CONDITION 8.0
+int chs_motion_fit(size_t n, const double *initial, const double *final, const double *weights,
+                   const unsigned char *missing, double tolerance, chs_screw *screw, double T[16],
+                   chs_motion_quality *quality);
+int chs_motion_fitf(size_t n, const float *initial, const float *final, const float *weights,
+                    const unsigned char *missing, float tolerance, chs_screwf *screw, float T[16],
+                    chs_motion_qualityf *quality);
+
+/* The same for points that come one at a time. The sums are the caller's, of constant size, and may be copied; what
+ * they hold is the library's business. chs_motion_begin empties them. */
+typedef struct chs_motion_sums {
+  double about[6];          /* the points that distances are summed from, initial and final, */
+  double about_weight;      /* and the weight of those they stand for */
+  double scale;             /* a power of two that distances are multiplied by */
+  double sum[18], lost[18]; /* totals, and what rounding took from them */
+  size_t points, missing;
+} chs_motion_sums;
+
+typedef struct chs_motion_sumsf {
+  float about[6];
+  float about_weight;
+  float scale;
+  float sum[18], lost[18];
+  size_t points, missing;
+} chs_motion_sumsf;
+
+void chs_motion_begin(chs_motion_sums *sums);
+void chs_motion_beginf(chs_motion_sumsf *sums);
+
+/* Adds a point: where it was, where it is, and its weight, finite and >= 0.
+ * Returns CHS_OK; CHS_POINTS_MISSING for a point that is missing, counted and left out; and with the sums as they were
+ * CHS_ERR_ARGUMENT for a weight that is negative, NaN or infinite, and CHS_ERR_OVERFLOW for a point whose distance from
+ * the others is beyond the format. */
+int chs_motion_add(chs_motion_sums *sums, const double initial[3], const double final[3], double weight);
+int chs_motion_addf(chs_motion_sumsf *sums, const float initial[3], const float final[3], float weight);
+
+/* The displacement that fits the points added so far; more may follow. Arguments, statuses and errors are those of
+ * chs_motion_fit, but for the residuals: the sums do not tell the largest, and they give the rms by a difference of
+ * squares of the size. So its error is relative to size^2/rms, and at most size (64 eps)^1/2: 1.2e-7 of the size
+ * in double, 2.8e-3 in float. A tolerance of that order is not told from 0. */
+#define CHS_EPS_MOTION_FINISH_RMS 64.0
+int chs_motion_finish(const chs_motion_sums *sums, double tolerance, chs_screw *screw, double T[16],
+                      chs_motion_quality *quality);
+int chs_motion_finishf(const chs_motion_sumsf *sums, float tolerance, chs_screwf *screw, float T[16],
+                       chs_motion_qualityf *quality);
 
 #ifdef __cplusplus
 }

@@ -14,24 +14,32 @@
 
 #define REAL double
 #define SCREW chs_screw
+#define SUMS chs_motion_sums
+#define QUALITY chs_motion_quality
 #define CHAIN chs_chain
 #define LIB(name) chs_##name
 #define LOCAL(name) name##_double
 #include "functions_calls.h"
 #undef REAL
 #undef SCREW
+#undef SUMS
+#undef QUALITY
 #undef CHAIN
 #undef LIB
 #undef LOCAL
 
 #define REAL float
 #define SCREW chs_screwf
+#define SUMS chs_motion_sumsf
+#define QUALITY chs_motion_qualityf
 #define CHAIN chs_chainf
 #define LIB(name) chs_##name##f
 #define LOCAL(name) name##_float
 #include "functions_calls.h"
 #undef REAL
 #undef SCREW
+#undef SUMS
+#undef QUALITY
 #undef CHAIN
 #undef LIB
 #undef LOCAL

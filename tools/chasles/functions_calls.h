@@ -52,6 +52,35 @@ static int LOCAL(points_to_screw)(int (*method)(const REAL *, const REAL *, REAL
   return status;
 }
 
+/* Six points in a flat array: before, after and their weights; the tolerance follows. Counts are numbers here. */
+static int LOCAL(fit)(const REAL *in, REAL *out) {
+  SCREW screw = LOCAL(get_screw)(out);
+  QUALITY quality;
+  const int status = LIB(motion_fit)(6, in, in + 18, in + 36, NULL, in[42], &screw, out + 8, &quality);
+  if (status < 0) return status;
+  const REAL numbers[] = {quality.rms,    quality.largest,   quality.size,         quality.rigidity,
+                          quality.growth, quality.condition, (REAL)quality.points, (REAL)quality.missing};
+  LOCAL(put_screw)(&screw, out);
+  for (int i = 0; i < 8; ++i) out[24 + i] = numbers[i];
+  return status;
+}
+
+static int LOCAL(stream)(const REAL *in, REAL *out) {
+  SCREW screw = LOCAL(get_screw)(out);
+  QUALITY quality;
+  SUMS sums;
+  LIB(motion_begin)(&sums);
+  for (int i = 0; i < 6; ++i) {
+    const int status = LIB(motion_add)(&sums, in + 3 * i, in + 18 + 3 * i, in[36 + i]);
+    if (status < 0) return status;
+  }
+  const int status = LIB(motion_finish)(&sums, in[42], &screw, out + 8, &quality);
+  if (status < 0) return status;
+  LOCAL(put_screw)(&screw, out);
+  out[24] = quality.rms;
+  return status;
+}
+
 /* A chain of six joints in a flat array is its screws, home pose and form, 1 being the body form; the joint values
  * follow. */
 static CHAIN LOCAL(get_chain)(const REAL *flat) {

@@ -342,7 +342,7 @@ static void make_triangle(struct source *source, int exponent, double *points) {
   }
 }
 
-static void move_points(struct source *source, int exponent, const double *points, double *moved) {
+static void move_points(struct source *source, int exponent, int count, const double *points, double *moved) {
   double R[9];
   double p[3];
   double pose_and_point[19] = {0.0};
@@ -351,7 +351,7 @@ static void move_points(struct source *source, int exponent, const double *point
   const bool travels = !one_in(source, 6);
   for (int i = 0; i < 3; ++i) p[i] = travels ? number(source, exponent - 3, exponent + 3) : 0.0;
   join_pose(R, p, pose_and_point);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < count; ++k) {
     memcpy(pose_and_point + 16, points + 3 * k, 3 * sizeof *points);
     call_library(source, "se3_apply", pose_and_point, moved + 3 * k);
   }
@@ -368,7 +368,38 @@ static void make_triangles(struct source *source, double *points) {
   case 1:
     for (int i = 0; i < 9; ++i) points[9 + i] = jitter(source, points[i], bits);
     break;
-  default: move_points(source, exponent, points, points + 9); break;
+  default: move_points(source, exponent, 3, points, points + 9); break;
+  }
+}
+
+/* Six points before and after, and their weights: moved, measured more or less badly, or unrelated; some in a plane or
+ * nearly on a line, some missing, some of no weight. */
+static void make_cloud(struct source *source, double *points) {
+  enum { COUNT = 6, NUMBERS = 3 * COUNT };
+  const int most = source->precision == DOUBLE_PRECISION ? 140 : 14;
+  const int exponent = one_in(source, 2) ? 0 : below(source, 2 * most + 1) - most;
+  double *moved = points + NUMBERS;
+  double *weights = moved + NUMBERS;
+  make_triangle(source, exponent, points);
+  for (int i = 9; i < NUMBERS; ++i) points[i] = number(source, exponent - 3, exponent);
+  const int flat = below(source, 8);
+  const int bits = 1 + below(source, mantissa_bits(source) - 1);
+  for (int i = 3; i < NUMBERS && flat == 0; ++i) points[i] = jitter(source, points[i - 3], bits);
+  for (int i = Z; i < NUMBERS && flat == 1; i += 3) points[i] = 0.0;
+  move_points(source, exponent, COUNT, points, moved);
+  const int error = below(source, 8);
+  for (int i = 0; i < NUMBERS && error < 3; ++i) {
+    if (error == 0) moved[i] = number(source, exponent - 3, exponent);
+    if (error == 1) moved[i] = jitter(source, moved[i], bits);
+    if (error == 2 && i % 3 == Z) moved[i] = -moved[i];
+  }
+  const bool weighted = one_in(source, 2);
+  for (int i = 0; i < COUNT; ++i) weights[i] = weighted ? fabs(number(source, -8, 8)) : 1.0;
+  const int chosen = below(source, COUNT);
+  switch (below(source, 8)) {
+  case 0: moved[3 * chosen + Y] = (double)NAN; break;
+  case 1: weights[chosen] = 0.0; break;
+  default: break;
   }
 }
 
@@ -448,7 +479,7 @@ static const struct kind kinds[] = {
     {'R', 9, make_rotation},  {'Q', 18, make_orientations},   {'T', 16, make_pose},     {'V', 6, make_twist},
     {'S', 8, make_screw},     {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
     {'D', 12, make_lines},    {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
-    {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},  {'B', 32, make_poses},
+    {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},  {'B', 32, make_poses},    {'N', 42, make_cloud},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -1,0 +1,463 @@
+#include <chasles/motion.h>
+
+#include "cofactors.h"
+#include "motion_private.h"
+
+#ifdef CHS_SINGLE
+typedef chs_motion_sumsf motion_sums;
+typedef chs_motion_qualityf motion_quality;
+#else
+typedef chs_motion_sums motion_sums;
+typedef chs_motion_quality motion_quality;
+#endif
+
+/* What is summed, of points about - their distances x and y from the points that the sums are about, times the weight:
+ * the weight itself, x, y, the nine products of components, a row for each of y, and both squares. */
+enum { WEIGHT, FIRST, PRODUCTS = FIRST + 6, SQUARES = PRODUCTS + 9, SUMS = SQUARES + 2 };
+
+/* Up to so many points are summed plainly before they join the total, which keeps what rounding takes from it. */
+enum { BLOCK = 64 };
+
+/* The sums stay about the same two points until the weight is so many times what their mean was taken of. So they are
+ * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud, in whatever order points come. */
+#define REACH K(8.0)
+
+/* Points one after the other and their weights, or NULL where all are 1. */
+typedef struct run {
+  size_t count;
+  const real *initial, *final, *weights;
+} run;
+
+static real weight_of(const run *r, size_t i) { return r->weights ? r->weights[i] : K(1.0); }
+
+static real total(const motion_sums *s, int k) { return s->sum[k] + s->lost[k]; }
+
+static void add_exactly(motion_sums *s, int k, exact_sum x) {
+  exact_sum t = {s->sum[k], s->lost[k]};
+  add(&t, x);
+  s->sum[k] = t.hi;
+  s->lost[k] = t.lo;
+}
+
+static void add_plainly(motion_sums *s, int k, real x) {
+  exact_sum t = {x, 0};
+  add_exactly(s, k, t);
+}
+
+/* So many sums stay in registers only by names of their own. */
+static INLINE void gather(const run *r, const real about[6], int weighted, real scale, real sum[SUMS]) {
+  real ax = about[0], ay = about[1], az = about[2], bx = about[3], by = about[4], bz = about[5];
+  real w = 0, px = 0, py = 0, pz = 0, qx = 0, qy = 0, qz = 0, pp = 0, qq = 0;
+  real xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
+  for (size_t i = 0; i < r->count; i++) {
+    const real *p = r->initial + 3 * i, *q = r->final + 3 * i;
+    real x = p[0] - ax, y = p[1] - ay, z = p[2] - az, fx = q[0] - bx, fy = q[1] - by, fz = q[2] - bz;
+    real vx = x, vy = y, vz = z, ux = fx, uy = fy, uz = fz; /* times the weight */
+    if (weighted) {
+      real v = weight_of(r, i);
+      x *= scale, y *= scale, z *= scale, fx *= scale, fy *= scale, fz *= scale;
+      vx = v * x, vy = v * y, vz = v * z, ux = v * fx, uy = v * fy, uz = v * fz;
+      w += v;
+    }
+    px += vx, py += vy, pz += vz, qx += ux, qy += uy, qz += uz;
+    xx += fx * vx, xy += fx * vy, xz += fx * vz;
+    yx += fy * vx, yy += fy * vy, yz += fy * vz;
+    zx += fz * vx, zy += fz * vy, zz += fz * vz;
+    pp += x * vx + y * vy + z * vz;
+    qq += fx * ux + fy * uy + fz * uz;
+  }
+  const real all[SUMS] = {w, px, py, pz, qx, qy, qz, xx, xy, xz, yx, yy, yz, zx, zy, zz, pp, qq};
+  copy(all, SUMS, sum);
+  if (!weighted) sum[WEIGHT] = (real)r->count;
+}
+
+/* The sums about two other points. */
+static void move_sums(motion_sums *s, const real about[6]) {
+  real shift[6], first[6], w = total(s, WEIGHT);
+  for (int k = 0; k < 6; k++) {
+    shift[k] = s->scale * (about[k] - s->about[k]);
+    first[k] = total(s, FIRST + k);
+    add_exactly(s, FIRST + k, product(-w, shift[k]));
+  }
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      add_plainly(s, PRODUCTS + 3 * i + j, (w * shift[3 + i] - first[3 + i]) * shift[j] - shift[3 + i] * first[j]);
+  for (int k = 0; k < 6; k++) add_plainly(s, SQUARES + k / 3, (w * shift[k] - K(2.0) * first[k]) * shift[k]);
+}
+
+/* Moves the sums to where a point of weight w is welcome: to the point if it outweighs all the others, or else to their
+ * centroids. */
+static void make_room(motion_sums *s, const run *r, real w) {
+  real about[6], weight = total(s, WEIGHT);
+  if (w > weight) {
+    copy(r->initial, 3, about);
+    copy(r->final, 3, about + 3);
+  } else
+    for (int k = 0; k < 6; k++) about[k] = s->about[k] + total(s, FIRST + k) / weight / s->scale;
+  if (weight > 0) move_sums(s, about);
+  copy(about, 6, s->about);
+  s->about_weight = w > weight ? w : weight;
+}
+
+/* How many of the first points may be added before the sums must be moved; fewer too where a weight is not one. */
+static size_t room_for(const motion_sums *s, const run *r) {
+  real room = REACH * s->about_weight - total(s, WEIGHT);
+  size_t most = r->count < BLOCK ? r->count : BLOCK, i = 0;
+  if (!r->weights) return room >= (real)most ? most : room > 0 ? (size_t)room : 0;
+  for (real w = 0; i < most; i++) {
+    w += r->weights[i];
+    if (!(r->weights[i] >= 0 && w <= room)) break;
+  }
+  return i;
+}
+
+/* Adds the points of a run at once. False, and nothing added, where they must be looked at one by one: where one is
+ * missing, or the squares leave the format's range. */
+static int add_block(motion_sums *s, const run *r) {
+  real sum[SUMS];
+  if (r->weights || s->scale != 1)
+    gather(r, s->about, 1, s->scale, sum);
+  else
+    gather(r, s->about, 0, 1, sum);
+  real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
+  if (r->count > 1 && !(all_finite(sum, SUMS) && least > UNDERFLOWS * UNDERFLOWS)) return 0;
+  for (int k = 0; k < SUMS; k++) add_plainly(s, k, sum[k]);
+  if (!r->weights) s->points += r->count;
+  for (size_t i = 0; r->weights && i < r->count; i++) s->points += r->weights[i] > 0;
+  return 1;
+}
+
+/* Lengths are multiplied by a power of two that makes them safe to square: by that of the largest so far. */
+static void fit_scale(motion_sums *s, real most) {
+  real scale = safe_to_square(most), change = scale / s->scale;
+  int empty = s->sum[SQUARES] == 0 && s->sum[SQUARES + 1] == 0;
+  if (most == 0 || scale == s->scale || (change > 1 && !empty)) return;
+  for (int k = FIRST; k < SUMS; k++) {
+    real by = k < PRODUCTS ? K(1.0) : change;
+    s->sum[k] = s->sum[k] * change * by;
+    s->lost[k] = s->lost[k] * change * by;
+  }
+  s->scale = scale;
+}
+
+/* Adds one point, if it is there. */
+static int add_point(motion_sums *s, const run *point) {
+  real w = weight_of(point, 0), apart[6];
+  if (w == 0) return CHS_OK;
+  if (!all_finite(point->initial, 3) || !all_finite(point->final, 3)) {
+    s->missing++;
+    return CHS_POINTS_MISSING;
+  }
+  if (!(w > 0 && w <= REAL_MAX)) return CHS_ERR_ARGUMENT;
+  if (s->points > 0) {
+    subtract(point->initial, s->about, apart);
+    subtract(point->final, s->about + 3, apart + 3);
+    real most = largest(apart, 6);
+    if (!is_finite(most)) return CHS_ERR_OVERFLOW;
+    fit_scale(s, most);
+  }
+  if (room_for(s, point) == 0) make_room(s, point, w);
+  add_block(s, point);
+  return CHS_OK;
+}
+
+static run rest_of(run r, size_t done) {
+  run rest = {r.count - done, r.initial + 3 * done, r.final + 3 * done, r.weights ? r.weights + done : NULL};
+  return rest;
+}
+
+/* Blocks of points as long as they are ordinary, single ones where they are not. */
+static int add_run(motion_sums *s, run r) {
+  while (r.count > 0) {
+    run block = r;
+    block.count = room_for(s, &r);
+    if (block.count > 1 && add_block(s, &block)) {
+      r = rest_of(r, block.count);
+      continue;
+    }
+    size_t singly = block.count > 0 ? block.count : 1;
+    for (size_t i = 0; i < singly; i++) {
+      run point = r;
+      point.count = 1;
+      int status = add_point(s, &point);
+      if (status < 0) return status;
+      r = rest_of(r, 1);
+    }
+  }
+  return CHS_OK;
+}
+
+/* The cloud: where its centroids are and what was summed about them, divided by a power of two. */
+typedef struct cloud {
+  real center[3]; /* centroid of the initial points */
+  real travel[3]; /* its displacement */
+  real offset[6]; /* of the centroids from the points that the sums were about */
+  real H[9];      /* sum of w y x^T */
+  real squares[2];
+  real size[2]; /* root mean square distances from the centroids */
+  real N;       /* root of the product of both squares */
+} cloud;
+
+/* NaN where not even one component is a number. */
+static int read_cloud(const motion_sums *s, cloud *c) {
+  real w = total(s, WEIGHT), mean[6];
+  for (int k = 0; k < 6; k++) {
+    mean[k] = total(s, FIRST + k) / w;
+    c->offset[k] = mean[k] / s->scale;
+  }
+  for (int k = 0; k < 2; k++) {
+    const real *m = mean + 3 * k;
+    c->squares[k] = total(s, SQUARES + k) - w * dot(m, m);
+    if (c->squares[k] < 0) c->squares[k] = 0;
+    c->size[k] = SQRT(c->squares[k] / w) / s->scale;
+  }
+  for (int i = 0; i < 3; i++) {
+    c->center[i] = s->about[i] + c->offset[i];
+    c->travel[i] = (s->about[3 + i] - s->about[i]) + (c->offset[3 + i] - c->offset[i]);
+  }
+  c->N = SQRT(c->squares[0]) * SQRT(c->squares[1]);
+  if (!(c->N <= REAL_MAX)) return CHS_ERR_OVERFLOW;
+  for (int k = 0; k < 2; k++)
+    if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
+  real reduce = EPS / power_of_two_below(EPS * c->N);
+  for (int i = 0; i < 9; i++) c->H[i] = reduce * (total(s, PRODUCTS + i) - w * mean[3 + i / 3] * mean[i % 3]);
+  c->squares[0] *= reduce;
+  c->squares[1] *= reduce;
+  c->N *= reduce;
+  return all_finite(c->H, 9) && all_finite(c->travel, 3) ? CHS_OK : CHS_ERR_OVERFLOW;
+}
+
+static real square_of(const real X[9]) { return dot(X, X) + dot(X + 3, X + 3) + dot(X + 6, X + 6); }
+
+/* The rotation R that makes trace(R^T H) largest, and what that rests on. */
+typedef struct best_rotation {
+  quaternion q;
+  real trace;      /* of S = R^T H */
+  real inverse[9]; /* of A = trace(S) I - S, the second derivative */
+  real condition;  /* N |A^-1| */
+} best_rotation;
+
+/* lambda = s1 + s2 + s3, the largest trace(R^T H), s3 negative where H is a reflection, by its distance from |H|:
+ * a = lambda^2 - |H|^2 = 2 (s1 s2 + s1 s3 + s2 s3) is the largest root of a^2 - 8 det(H) lambda - 4 |cof H|^2, and all
+ * terms are small where s2 and s3 are. Newton's iteration descends from above; what it starts from is nearly the root
+ * where the points are nearly rigid. Then (Markley 1993)
+ *   R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / (a/2 lambda - det H), the divisor being
+ * (s1 + s2)(s1 + s3)(s2 + s3). False where that is nothing but rounding. */
+static int first_guess(const cloud *c, const real C[9], real HH, real CC, best_rotation *best) {
+  const real *H = c->H;
+  real det = dot(H, C), bound = K(0.5) * (c->squares[0] + c->squares[1]);
+  real a = bound * bound - HH, most = K(3.4641016151377544) * SQRT(CC), lambda = 0, step = 1;
+  if (!(a < most)) a = most;
+  for (int i = 0; i < 24 && ABS(step) > SQRT(EPS) * ABS(a); i++) {
+    lambda = SQRT(HH + a);
+    real slope = K(2.0) * a - K(4.0) * det / lambda;
+    step = slope > 0 ? (a * a - K(8.0) * det * lambda - K(4.0) * CC) / slope : K(0.0);
+    a -= step;
+    if (!(HH + a > 0)) return 0;
+  }
+  lambda = SQRT(HH + a);
+  real divisor = K(0.5) * a * lambda - det;
+  if (!(divisor > K(8.0) * EPS * HH * SQRT(HH))) return 0;
+  real Ht[9], G[9], R[9], sum = K(0.5) * a + HH;
+  transpose(H, Ht);
+  multiply(Ht, H, G);
+  for (int i = 0; i < 9; i++) G[i] = (i % 4 == 0 ? sum : K(0.0)) - G[i];
+  multiply(H, G, R);
+  for (int i = 0; i < 9; i++) R[i] = (R[i] + lambda * C[i]) / divisor;
+  best->q = quaternion_of(R);
+  best->trace = lambda;
+  return 1;
+}
+
+/* Newton's step on the rotations: the gradient of trace(R^T H) is the vector of the skew-symmetric part of S = R^T H.
+ * False where R is no maximum. `moved` is whether the step was more than its own error and needs another one. */
+static int improve(const cloud *c, best_rotation *best, int *moved) {
+  quaternion *q = &best->q;
+  real R[9], Rt[9], S[9], A[9], C[9], w[3], vxw[3];
+  rotation_from_quaternion(q, dot(q->v, q->v) + q->w * q->w, R);
+  transpose(R, Rt);
+  multiply(Rt, c->H, S);
+  const real gradient[3] = {S[7] - S[5], S[2] - S[6], S[3] - S[1]};
+  real trace = S[0] + S[4] + S[8];
+  if (trace > best->trace) best->trace = trace;
+  for (int i = 0; i < 3; i++) A[4 * i] = best->trace - S[4 * i];
+  A[1] = A[3] = K(-0.5) * (S[1] + S[3]);
+  A[2] = A[6] = K(-0.5) * (S[2] + S[6]);
+  A[5] = A[7] = K(-0.5) * (S[5] + S[7]);
+  cofactors(A, SQRT(square_of(A)), C);
+  real det = dot(A, C);
+  if (!(A[0] > 0 && C[8] > 0 && det > 0)) return 0;
+  for (int i = 0; i < 9; i++) best->inverse[i] = C[i] / det;
+  best->condition = c->N * SQRT(square_of(best->inverse));
+  rotate(best->inverse, gradient, w);
+  cross(q->v, w, vxw);
+  real along = dot(q->v, w), error = K(4.0) * EPS * best->condition;
+  for (int i = 0; i < 3; i++) q->v[i] += K(0.5) * (q->w * w[i] + vxw[i]);
+  q->w -= K(0.5) * along;
+  if (q->w < 0) negate(q);
+  real turned = dot(w, w);
+  *moved = turned > EPS / K(16.0) && turned > error * error;
+  if (!*moved && best->trace - trace > K(4.0) * EPS * c->N) {
+    best->trace = trace; /* lambda was not so large */
+    *moved = 1;
+  }
+  return 1;
+}
+
+static int rotate_best(const motion_sums *s, const cloud *c, best_rotation *best) {
+  real C[9], HH, CC, coarse[2];
+  for (int k = 0; k < 2; k++) coarse[k] = K(8.0) * EPS * largest(s->about + 3 * k, 3) / c->size[k];
+  real least = K(8.0) * EPS + coarse[0] * coarse[1];
+  HH = square_of(c->H);
+  CC = cofactors(c->H, SQRT(HH), C);
+  CC *= CC;
+  if (HH <= least * least) return CHS_ERR_SINGULAR;
+  if (CC <= HH * (least * least)) return CHS_ERR_COLLINEAR;
+  if (!first_guess(c, C, HH, CC, best)) return CHS_ERR_SINGULAR;
+  int moved = 1;
+  for (int i = 0; i < 8 && moved; i++)
+    if (!improve(c, best, &moved)) return CHS_ERR_SINGULAR;
+  return !moved && best->condition * (K(8.0) * EPS) < 1 ? CHS_OK : CHS_ERR_SINGULAR;
+}
+
+/* The squared residuals, relative to the squared size of the initial cloud, from what was summed. */
+static real relative_square(const cloud *c, const best_rotation *best) {
+  real rest = c->squares[0] + c->squares[1] - K(2.0) * best->trace;
+  return rest > 0 ? rest / c->squares[0] : K(0.0);
+}
+
+/* The screw and the pose, and what is special about them. A rotation smaller than its own error counts as none. */
+static int displace(const cloud *c, const best_rotation *best, screw *out, real T[16]) {
+  quaternion q = best->q;
+  real R[9], p[3], turned[3], n = norm(q.v, 3), zone = K(8.0) * EPS * best->condition;
+  if (n <= best->condition * EPS * q.w) return finish_translation(c->travel, out, T);
+  int half_turn = q.w <= zone * n;
+  screw s;
+  settle_half_turn(&q, zone, n);
+  rotation_from_quaternion(&q, dot(q.v, q.v) + q.w * q.w, R);
+  if (!screw_of_rotation(&q, n, c->center, c->travel, &s)) return CHS_ERR_OVERFLOW;
+  rotate(R, c->center, turned);
+  for (int i = 0; i < 3; i++) p[i] = (c->center[i] - turned[i]) + c->travel[i];
+  if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) join(R, p, T);
+  if (best->condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
+  return half_turn ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* What is special about the points counts for less. */
+static int with_missing(const motion_sums *s, int status) {
+  return status == CHS_OK && s->missing > 0 ? CHS_POINTS_MISSING : status;
+}
+
+static int solve(const motion_sums *s, cloud *c, best_rotation *best) {
+  if (s->points < 3) return CHS_ERR_TOO_FEW_POINTS;
+  int status = read_cloud(s, c);
+  return status == CHS_OK ? rotate_best(s, c, best) : status;
+}
+
+static void describe(const motion_sums *s, const cloud *c, const best_rotation *best, motion_quality *quality) {
+  quality->points = s->points;
+  quality->missing = s->missing;
+  quality->size = c->size[0];
+  quality->growth = (c->size[1] - c->size[0]) / c->size[0];
+  quality->condition = best->condition;
+  quality->rigidity = quality->rms / c->size[0];
+}
+
+void FN(chs_motion_begin)(motion_sums *s) {
+  s->scale = 1;
+  s->about_weight = 0;
+  for (int k = 0; k < 6; k++) s->about[k] = 0;
+  for (int k = 0; k < SUMS; k++) s->sum[k] = s->lost[k] = 0;
+  s->points = s->missing = 0;
+}
+
+int FN(chs_motion_add)(motion_sums *s, const real initial[3], const real final[3], real weight) {
+  const run point = {1, initial, final, &weight};
+  return add_point(s, &point);
+}
+
+int FN(chs_motion_finish)(const motion_sums *s, real tolerance, screw *out, real T[16], motion_quality *quality) {
+  cloud c;
+  best_rotation best;
+  int status = solve(s, &c, &best);
+  if (status != CHS_OK) return status;
+  motion_quality found;
+  found.rms = SQRT(relative_square(&c, &best)) * c.size[0];
+  found.largest = K(-1.0);
+  found.largest_at = s->points;
+  describe(s, &c, &best, &found);
+  if (!(found.rigidity <= tolerance)) return CHS_ERR_NOT_RIGID;
+  status = with_missing(s, displace(&c, &best, out, T));
+  if (status >= 0 && quality) *quality = found;
+  return status;
+}
+
+/* The stretches of points that are there. */
+static int add_all(motion_sums *s, const run *all, const unsigned char *missing) {
+  if (!missing) return add_run(s, *all);
+  for (size_t i = 0; i < all->count;) {
+    run stretch = rest_of(*all, i);
+    for (stretch.count = 0; i < all->count && !missing[i]; i++) stretch.count++;
+    int status = add_run(s, stretch);
+    if (status < 0) return status;
+    for (; i < all->count && missing[i]; i++) s->missing++;
+  }
+  return CHS_OK;
+}
+
+static int is_there(const run *r, const unsigned char *missing, size_t i) {
+  return !(missing && missing[i]) && weight_of(r, i) != 0 && all_finite(r->initial + 3 * i, 3) &&
+         all_finite(r->final + 3 * i, 3);
+}
+
+/* The second look at the points: what each is off by. */
+static void look_back(const motion_sums *s, const cloud *c, const best_rotation *best, const run *r,
+                      const unsigned char *missing, motion_quality *found) {
+  real R[9], sum = 0, most = -1, nn = dot(best->q.v, best->q.v) + best->q.w * best->q.w;
+  rotation_from_quaternion(&best->q, nn, R);
+  for (size_t i = 0; i < r->count; i++) {
+    if (!is_there(r, missing, i)) continue;
+    real x[3], y[3], off[3];
+    const real *p = r->initial + 3 * i, *q = r->final + 3 * i;
+    for (int k = 0; k < 3; k++) {
+      x[k] = s->scale * ((p[k] - s->about[k]) - c->offset[k]);
+      y[k] = s->scale * ((q[k] - s->about[3 + k]) - c->offset[3 + k]);
+    }
+    rotate(R, x, off);
+    subtract(y, off, off);
+    real square = dot(off, off);
+    sum += weight_of(r, i) * square;
+    if (square > most) {
+      most = square;
+      found->largest_at = i;
+    }
+  }
+  found->rms = SQRT(sum / total(s, WEIGHT)) / s->scale;
+  found->largest = SQRT(most) / s->scale;
+}
+
+int FN(chs_motion_fit)(size_t n, const real *initial, const real *final, const real *weights,
+                       const unsigned char *missing, real tolerance, screw *out, real T[16], motion_quality *quality) {
+  motion_sums s;
+  cloud c;
+  best_rotation best;
+  const run all = {n, initial, final, weights};
+  FN(chs_motion_begin)(&s);
+  int status = add_all(&s, &all, missing);
+  if (status == CHS_OK) status = solve(&s, &c, &best);
+  if (status != CHS_OK) return status;
+  /* What was summed settles most questions of tolerance. */
+  motion_quality found;
+  real square = relative_square(&c, &best), doubt = K(64.0) * EPS * (c.squares[0] + c.squares[1]) / c.squares[0];
+  int settled = tolerance > 0 && square + doubt < tolerance * tolerance;
+  if (quality || !settled) {
+    look_back(&s, &c, &best, &all, missing, &found);
+    describe(&s, &c, &best, &found);
+    if (!(found.rigidity <= tolerance)) return CHS_ERR_NOT_RIGID;
+  }
+  status = with_missing(&s, displace(&c, &best, out, T));
+  if (status >= 0 && quality) *quality = found;
+  return status;
+}
