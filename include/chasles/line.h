@@ -113,6 +113,77 @@ int chs_line_perpendicular(const double A[6], const double B[6], double X[6], do
 int chs_line_perpendicularf(const float A[6], const float B[6], float X[6], float foot_a[3], float foot_b[3],
                             float *angle, float *distance);
 
+/* The parameters of Denavit and Hartenberg tell a chain of n joint axes by four numbers each, (a, alpha, d, theta):
+ * double[4*n], one row after the other. Frame i is frame i-1 moved by
+ *
+ *   standard (distal)             A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i),  axis i is z of frame i-1
+ *   modified (proximal, Craig)    A_i = Rx(alpha_i) Tx(a_i) Rz(theta_i) Tz(d_i),  axis i is z of frame i
+ *
+ * where a and alpha of the modified row i are those that Craig writes with the index i-1. So home = base A_1 ... A_n tool
+ * with two poses that a table of 4 n numbers leaves out. A revolute joint's value adds to theta, a prismatic one's to d.
+ * As screws the axes are those of the product of exponentials: (d; m) of a revolute joint, (0; d) of a prismatic one. */
+typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
+
+/* The axes, and the pose of the tool, where all joint values are zero.
+ *
+ *   n           the number of joints, at least 1.
+ *   convention  a chs_dh.
+ *   base, tool  the poses of frame 0 in the frame of the result, and of the tool in frame n; NULL is the identity.
+ *   dh          [4*n], angles up to CHS_ANGLE_MAX(F) in size.
+ *   axes        [6*n], unit lines; must not overlap dh.
+ *   home        the pose of the tool; may be NULL.
+ *
+ * With the reach r = |p_base| + sum of |a| + |d| + |p_tool|, and for base and tool that are rotations to within rounding,
+ * errors are n times what is promised here: of directions and of the rotation absolutely, of moments and of the position
+ * relative to r.
+ * Returns CHS_OK; CHS_ERR_ARGUMENT; CHS_ERR_ANGLE_RANGE; CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for all numbers. */
+#define CHS_EPS_LINE_FROM_DH_DIRECTION 4.0
+#define CHS_EPS_LINE_FROM_DH_MOMENT 6.0
+#define CHS_EPS_LINE_FROM_DH_ROTATION 4.0
+#define CHS_EPS_LINE_FROM_DH_POSITION 6.0
+int chs_line_from_dh(int n, int convention, const double base[16], const double *dh, const double tool[16],
+                     double *axes, double home[16]);
+int chs_line_from_dhf(int n, int convention, const float base[16], const float *dh, const float tool[16], float *axes,
+                      float home[16]);
+
+/* The parameters of a chain, the inverse of the above. Each x axis lies along the common perpendicular of two axes, and
+ * of its two senses has the one that turns less from the x axis before, so that |theta| <= pi/2 and the links that lie in
+ * line at home have theta = 0; a may then be negative. Where it turns by a right angle either way, x goes from the one
+ * axis to the next, or along their cross product where they meet.
+ *
+ *   standard   Frame 0 is at the point of axis 1 nearest to the origin, its x axis as near as may be to that of the base
+ *              or, where axis 1 is within 30 degrees of that, to its y axis. The last row leads to the line of the tool's
+ *              z axis: the tool is a turn about z and a travel along it.
+ *   modified   The first row leads from the line of the base's z axis: the base is a turn about z and a travel along it.
+ *              Frame n is at the point of axis n nearest to the tool, its x axis as near as may be to that of the tool,
+ *              or to its y axis likewise.
+ *   parallel   axes have d = 0 for the row between them: their perpendicular goes through the frame's origin; next to the
+ *              tool's z axis it goes through the tool.
+ *   coincident axes have a frame that stays as it was; one that coincides with the tool's z axis has the tool's.
+ *
+ *   axes       [6*n], lines of unit direction, any point of a prismatic joint's axis.
+ *   tolerance  lines count as parallel where their sine is at most this, and as meeting where their distance times their
+ *              sine, or the distance of parallel ones, is at most this times their distances from the origin, the largest
+ *              of them and |p_home|; alpha is then 0 or pi and a is 0. At least 8 eps, whatever is given.
+ *   dh         [4*n]; must not overlap axes.
+ *   base, tool may be NULL.
+ *
+ * What comes out gives the axes and the tool back by chs_line_from_dh. Let r be the largest of |m| and |p_home|, s the
+ * smallest sine of neighbours that are not parallel, and k the largest of 1, 1/s and r over the smallest distance of
+ * parallel neighbours: errors, n times what is promised here, are relative to k for angles and rotations and to k r for
+ * lengths and positions.
+ * Returns CHS_OK; CHS_PARALLEL or CHS_COINCIDENT, the latter if both, where some neighbours of the axes given are so;
+ * CHS_ERR_ARGUMENT, also for a negative tolerance and directions that are not of unit length; CHS_ERR_OVERFLOW; what
+ * CHS_SO3_FAR says of home, for all numbers. */
+#define CHS_EPS_LINE_TO_DH_ANGLES 3.0
+#define CHS_EPS_LINE_TO_DH_LENGTHS 6.0
+#define CHS_EPS_LINE_TO_DH_ROTATION 3.0
+#define CHS_EPS_LINE_TO_DH_POSITION 6.0
+int chs_line_to_dh(int n, int convention, const double *axes, const double home[16], double tolerance, double *dh,
+                   double base[16], double tool[16]);
+int chs_line_to_dhf(int n, int convention, const float *axes, const float home[16], float tolerance, float *dh,
+                    float base[16], float tool[16]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -322,6 +322,21 @@ static void make_lines(struct source *source, double *AB) {
   for (int i = 0; i < 6 && back; ++i) B[i] = -B[i];
 }
 
+/* Three rows of Denavit and Hartenberg. */
+static void make_rows(struct source *source, double *rows) {
+  for (int i = 0; i < 12; i += 2) {
+    rows[i] = one_in(source, 3) ? 0.0 : number_of(source, one_in(source, 8) ? any_magnitude(source) : ORDINARY);
+    make_angle(source, rows + i + 1);
+  }
+}
+
+/* Three axes, each related to the one before or to that before it, or not at all. */
+static void make_axes(struct source *source, double *axes) {
+  make_lines(source, axes);
+  make_lines(source, axes + 6);
+  if (!one_in(source, 3)) make_line(source, axes + 12);
+}
+
 /* Three points of about the size 2^exponent: any, two nearly or exactly alike, on a line through the origin, far
  * away from it for their size, or in a plane with it. */
 static void make_triangle(struct source *source, int exponent, double *points) {
@@ -480,6 +495,7 @@ static const struct kind kinds[] = {
     {'S', 8, make_screw},     {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
     {'D', 12, make_lines},    {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
     {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},  {'B', 32, make_poses},    {'N', 42, make_cloud},
+    {'H', 12, make_rows},     {'G', 18, make_axes},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -1,8 +1,9 @@
 """line.h: Pluecker lines. A line is direction[3] moment[3]."""
 
-from mpmath import hypot, inf, ldexp, mpf, pi
+from mpmath import ldexp, mpf, pi
 
-import cases_se3
+import cases_so3
+import dh
 import exact
 import sampling
 from exact import cross, dot, norm
@@ -356,6 +357,120 @@ def perpendicular_bands(fmt, rng):
     return pair_bands()(fmt, rng) + [examples(fmt)] + pair_errors(fmt) + [Errors(-3, overflow, "overflow")]
 
 
+# Denavit and Hartenberg, three joints
+
+JOINTS = 3
+FROM_DH = [
+    Group("direction", "max", [6 * i + j for i in range(JOINTS) for j in range(3)]),
+    Group("moment", "max", [6 * i + j for i in range(JOINTS) for j in range(3, 6)]),
+    Group("rotation", "max", [18 + i for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]),
+    Group("position", "norm", [18 + i for i in (3, 7, 11)]),
+    Group("last_row", "max", range(30, 34)),
+]
+
+
+def evaluate_from_dh(modified):
+    def evaluate(fmt, x):
+        base, rows, tool = exact.pose(x[0:16]), [x[16 + 4 * i : 20 + 4 * i] for i in range(JOINTS)], exact.pose(x[28:44])
+        lines, home = dh.from_rows(modified, base, rows, tool)
+        reach = norm(base[1]) + sum(abs(r[0]) + abs(r[2]) for r in rows) + norm(tool[1])
+        return Result([y for d, m in lines for y in d + m] + exact.pose_matrix(*home), [mpf(JOINTS) * y for y in (1, reach, 1, reach, 0)])
+
+    return evaluate
+
+
+def from_dh_bands(fmt, rng):
+    quarters = lambda: pick(rng, [0, 1, -1, 2]) * pi / 2
+
+    def build(band):
+        def inputs(fmt, rng, k):
+            length = lambda: mpf(0) if rng.getrandbits(2) == 0 else sign(rng) * sampling.length(fmt, rng, band)
+            angle = lambda: quarters() if k % 3 == 0 else uniform(rng, -4, 4) * (10 if k % 7 == 5 else 1)
+            rows = [y for _ in range(JOINTS) for y in (length(), angle(), length(), angle())]
+            return sampling.random_pose(fmt, rng, band, k) + fmt.round_all(rows) + sampling.random_pose(fmt, rng, band, k + 1)
+
+        return inputs
+
+    bands = [Band(name, count, build(name)) for name, count in BANDS.items()]
+    one = exact.pose_matrix(list(exact.IDENTITY), [mpf(1), mpf(2), mpf(3)])
+    rows, limit, g = number(fmt, *[1, "0.5", 2, "-0.25"] * JOINTS), sampling.angle_max(fmt), greatest(fmt)
+    far = [one + rows[0:i] + [fmt.round(8 * limit)] + rows[i + 1 :] + one for i in (1, 3, 11)]
+    long = [one + [g, mpf(0), mpf(0), mpf(0)] * 2 + rows[8:] + one]
+    errors = cases_so3.rotation_errors(fmt, rng, lambda R: exact.pose_matrix(R, [mpf(1)] * 3) + rows + one, range(12))
+    errors += sampling.spoilt(one + rows + one, list(range(16, 40)))
+    return bands + errors + [Errors(-4, far, "angle_range"), Errors(-3, long, "overflow")]
+
+
+TO_DH = [
+    Group("lengths", "max", [4 * i + j for i in range(JOINTS) for j in (0, 2)]),
+    Group("angles", "max", [4 * i + j for i in range(JOINTS) for j in (1, 3)]),
+    Group("rotation", "max", [12 + 16 * b + i for b in range(2) for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]),
+    Group("position", "max", [12 + 16 * b + i for b in range(2) for i in (3, 7, 11)]),
+    Group("last_rows", "max", [12 + 16 * b + i for b in range(2) for i in range(12, 16)]),
+]
+
+
+def evaluate_to_dh(modified):
+    def evaluate(fmt, x):
+        lines, home = [x[6 * i : 6 * i + 6] for i in range(JOINTS)], exact.pose(x[18:34])
+        chain = dh.Chain(modified, lines, home, max(x[34], 8 * fmt.eps))
+        rows, base, tool = chain.parameters()
+        k = chain.condition()
+        scales = [mpf(JOINTS) * y for y in (k * chain.reach, k, k, k * chain.reach, 0)]
+        outputs = [y for row in rows for y in row] + exact.pose_matrix(*base) + exact.pose_matrix(*tool)
+        return Result(outputs, scales, (chain.status(),))
+
+    return evaluate
+
+
+def to_dh_bands(fmt, rng):
+    def related(fmt, rng, band, L):
+        """A line that meets L, is parallel to it, is the same, or is unrelated."""
+        kind = rng.getrandbits(3)
+        d = L[0:3] if kind in (1, 2) else fmt.round_all(direction(rng))
+        if kind == 2:
+            return list(L)
+        if kind == 3:  # through the foot of L, so far as rounding lets it
+            return d + moment(fmt, cross(L[0:3], L[3:6]), d)
+        if kind == 1 and rng.getrandbits(1):
+            d = exact.times(mpf(-1), d)
+        return d + moment(fmt, point(fmt, rng, band), d)
+
+    def build(band):
+        def inputs(fmt, rng, k):
+            lines = [unit_line(fmt, rng, band, k % 9)]
+            for _ in range(JOINTS - 1):
+                lines.append(related(fmt, rng, band, lines[-1]))
+            tolerance = [mpf(0), fmt.pick(mpf("1e-12"), mpf("1e-5"))][k % 2]
+            return [y for L in lines for y in L] + sampling.random_pose(fmt, rng, band, k) + [fmt.round(tolerance)]
+
+        return inputs
+
+    # An arm whose axes are those of the coordinate system: most of its neighbours are parallel or meet.
+    def aligned(fmt, rng, k):
+        lines = []
+        for _ in range(JOINTS):
+            d = [mpf(0)] * 3
+            d[rng.getrandbits(10) % 3] = mpf(sign(rng))
+            lines += d + cross([mpf(rng.getrandbits(2)) for _ in range(3)], d)
+        home = exact.pose_matrix(sampling.axes_rotation(rng), [mpf(rng.getrandbits(2)) for _ in range(3)])
+        return lines + home + [mpf(0)]
+
+    bands = [Band(name, count, build(name)) for name, count in {"ordinary": 240, "large": 80, "small": 80}.items()]
+    bands.append(Band("ordinary", 100, aligned, "aligned"))
+    axes = number(fmt, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 1, 0, 1, 0, 3)
+    home = exact.pose_matrix(list(exact.IDENTITY), [mpf(1), mpf(2), mpf(3)])
+    bad = [L + axes[6:] + home + [mpf(0)] for L in bad_lines(fmt)] + [axes[:12] + bad_lines(fmt)[0] + home + [mpf(0)]]
+    g = greatest(fmt)
+    far = [number(fmt, 0, 0, 1) + [g, mpf(0), mpf(0)] + number(fmt, 0, 0, 1) + [-g, mpf(0), mpf(0)] + axes[12:] + home + [mpf(0)]]
+    errors = cases_so3.rotation_errors(fmt, rng, lambda R: axes + exact.pose_matrix(R, [mpf(1)] * 3) + [mpf(0)], range(18, 30))
+    errors += sampling.spoilt(axes + home + [mpf(0)], list(range(18)) + [34])
+    return bands + errors + [
+        Errors(-11, bad + [axes + home + [mpf(-1)]], "argument"),
+        Errors(-3, far, "overflow"),
+    ]
+
+
 FUNCTIONS = [
     Function("line_raw_from_points", 6, LINE, evaluate_raw_from_points, raw_from_points_bands),
     Function("line_from_points", 6, LINE, evaluate_from_points, from_points_errors),
@@ -373,4 +488,8 @@ FUNCTIONS = [
     Function("line_signed_angle", 15, [Group("angle", "max", [0])], evaluate_signed_angle, signed_angle_bands),
     Function("line_distance", 12, [Group("distance", "max", [0])], evaluate_distance, perpendicular_bands),
     Function("line_perpendicular", 12, PERPENDICULAR, evaluate_perpendicular, perpendicular_bands),
+    Function("line_from_dh_standard", 44, FROM_DH, evaluate_from_dh(False), from_dh_bands),
+    Function("line_from_dh_modified", 44, FROM_DH, evaluate_from_dh(True), from_dh_bands),
+    Function("line_to_dh_standard", 35, TO_DH, evaluate_to_dh(False), to_dh_bands),
+    Function("line_to_dh_modified", 35, TO_DH, evaluate_to_dh(True), to_dh_bands),
 ]

@@ -12,6 +12,7 @@ from mpmath import factorial, ldexp, mp, mpf, pi, sin, workprec
 
 import cases_agile_eye
 import cases_se3
+import dh
 import exact
 import sampling
 from displacement import METHODS, Displacement, Triangle, quaternion
@@ -262,6 +263,27 @@ def check_line(rng):
     return errors + norm(subtract(cross(near, a[0]), a[1])) + abs(dot(subtract(near, x), a[0]))
 
 
+def check_dh(rng):
+    """Axes to parameters to axes, in both conventions, some neighbours parallel or coincident."""
+    lines, worst = [], mpf(0)
+    for _ in range(4):
+        kind = rng.getrandbits(3)
+        d = lines[-1][0:3] if lines and kind < 2 else direction(rng)
+        lines.append(d + (lines[-1][3:6] if lines and kind == 0 else cross(vector(rng, mpf(1)), d)))
+    home = random_exact_rotation(rng), vector(rng, mpf(1))
+    for modified in (False, True):
+        chain = dh.Chain(modified, lines, home, mpf("1e-60"))
+        try:
+            rows, base, tool = chain.parameters()
+        except sampling.Unclear:
+            continue
+        back, end = dh.from_rows(modified, base, rows, tool)
+        errors = [distance(a + b, line) for (a, b), line in zip(back, lines)]
+        errors += [distance(end[0], home[0]), distance(end[1], home[1])]
+        worst = max([worst] + [e / chain.condition() for e in errors])
+    return worst
+
+
 def check_tilt(rng):
     """There and back, and the error angles against the angles of the relative rotation."""
     azimuth, tilt, torsion = uniform(rng, -3, 3), uniform(rng, 0.01, 3.1), uniform(rng, -3, 3)
@@ -329,6 +351,7 @@ CHECKS = [
     (check_wrench, 200),
     (check_screw, 300),
     (check_line, 300),
+    (check_dh, 100),
     (check_tilt, 300),
     (check_displacement, 200),
     (check_agile_eye, 200),
