@@ -162,9 +162,12 @@ int chs_so3_checkf(const float R[9], float tolerance);
  *   R          the rotation.
  *   rest       |f| at it; may be NULL.
  *
+ * The error of R is what the tolerance and the residual's own errors leave open, times the norm of the inverse of the
+ * derivatives; the promise is for a norm of 1, a tolerance of 8 eps and residuals within 2 eps.
  * Returns CHS_OK; CHS_ITERATION_LIMIT where no step left, or none to be found, brings |f| down to the tolerance, with
  * the best R so far; CHS_ERR_SINGULAR where the derivatives leave a turn open; CHS_ERR_ARGUMENT; CHS_ERR_NAN and
  * CHS_ERR_INFINITE also where f at the start is such; what CHS_SO3_FAR says; and the residual's errors. */
+#define CHS_EPS_SO3_SOLVE 12.0
 typedef int chs_so3_residual(const double R[9], void *context, double f[3]);
 typedef int chs_so3_residualf(const float R[9], void *context, float f[3]);
 int chs_so3_solve(chs_so3_residual *residual, void *context, const double start[9], double tolerance, int limit,

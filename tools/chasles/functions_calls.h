@@ -126,6 +126,39 @@ static int LOCAL(damped)(const REAL *in, REAL *out) {
 /* An integer argument from a flat array: one that no function takes where the number is none. */
 static int LOCAL(whole)(REAL x) { return x > -1000 && x < 1000 ? (int)x : -1000; }
 
+/* For so3_solve, the equations that R M^T be symmetric: near M the rotation nearest to it solves them. */
+static int LOCAL(asymmetry)(const REAL *R, void *M, REAL *f) {
+  REAL product[9];
+  LIB(so3_transpose)(M, product);
+  LIB(so3_multiply)(R, product, product);
+  LIB(so3_vee)(product, f);
+  return CHS_OK;
+}
+
+static int LOCAL(solve)(const REAL *in, REAL *out) {
+  const REAL tolerance = sizeof(REAL) == sizeof(double) ? (REAL)0x1p-49 : (REAL)0x1p-20; /* 8 eps */
+  REAL M[9];
+  for (int i = 0; i < 9; ++i) M[i] = in[i];
+  return LIB(so3_solve)(LOCAL(asymmetry), M, in + 9, tolerance, 8, out, NULL);
+}
+
+/* For tilt_worst, the tool of the Agile Eye. */
+static int LOCAL(eye)(const REAL *joints, void *context, REAL *T) {
+  const REAL origin[3] = {0, 0, 0};
+  REAL R[9];
+  const int status = LIB(agile_eye_direct)(joints, 0, R);
+  (void)context;
+  if (status < 0) return status;
+  LIB(agile_eye_tool)(R, R);
+  LIB(se3_from_parts)(R, origin, T);
+  return status;
+}
+
+static int LOCAL(worst)(const REAL *in, REAL *out) {
+  REAL scratch[CHS_TILT_WORST_SCRATCH(3)];
+  return LIB(tilt_worst)(LOCAL(eye), NULL, 3, in, in + 3, 2, 1, scratch, out, NULL);
+}
+
 /* Plain algebra returns void: its status is always 0. */
 #define ALWAYS_OK(call) ((call), CHS_OK)
 

@@ -19,11 +19,12 @@ import cases_points
 import cases_screw
 import cases_se3
 import cases_so3
+import cases_study
 import cases_tilt
 from formats import FORMATS
 
 FUNCTIONS = {
-    f.name: f for module in (cases_so3, cases_se3, cases_screw, cases_line, cases_motion, cases_points, cases_tilt, cases_chain, cases_agile_eye) for f in module.FUNCTIONS
+    f.name: f for module in (cases_so3, cases_se3, cases_screw, cases_line, cases_motion, cases_points, cases_tilt, cases_chain, cases_agile_eye, cases_study) for f in module.FUNCTIONS
 }
 DEFAULT_OUT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "vectors")
 
