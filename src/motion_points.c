@@ -196,6 +196,7 @@ typedef struct cloud {
   real squares[2];
   real size[2]; /* root mean square distances from the centroids */
   real N;       /* root of the product of both squares */
+  real reduce;  /* the power of two */
 } cloud;
 
 /* NaN where not even one component is a number. */
@@ -220,6 +221,7 @@ static int read_cloud(const motion_sums *s, cloud *c) {
   for (int k = 0; k < 2; k++)
     if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
   real reduce = EPS / power_of_two_below(EPS * c->N);
+  c->reduce = reduce;
   for (int i = 0; i < 9; i++) c->H[i] = reduce * (total(s, PRODUCTS + i) - w * mean[3 + i / 3] * mean[i % 3]);
   c->squares[0] *= reduce;
   c->squares[1] *= reduce;
@@ -327,15 +329,15 @@ static real relative_square(const cloud *c, const best_rotation *best) {
 }
 
 /* The screw and the pose, and what is special about them. A rotation smaller than its own error counts as none. */
-static int displace(const cloud *c, const best_rotation *best, screw *out, real T[16]) {
-  quaternion q = best->q;
-  real R[9], p[3], turned[3], n = norm(q.v, 3), zone = K(8.0) * EPS * best->condition;
-  if (n <= best->condition * EPS * q.w) return finish_translation(c->travel, out, T);
-  int half_turn = q.w <= zone * n;
+static int displace(const cloud *c, best_rotation *best, screw *out, real T[16]) {
+  quaternion *q = &best->q;
+  real R[9], p[3], turned[3], n = norm(q->v, 3), zone = K(8.0) * EPS * best->condition;
+  if (n <= best->condition * EPS * q->w) return finish_translation(c->travel, out, T);
+  int half_turn = q->w <= zone * n;
   screw s;
-  settle_half_turn(&q, zone, n);
-  rotation_from_quaternion(&q, dot(q.v, q.v) + q.w * q.w, R);
-  if (!screw_of_rotation(&q, n, c->center, c->travel, &s)) return CHS_ERR_OVERFLOW;
+  settle_half_turn(q, zone, n);
+  rotation_from_quaternion(q, dot(q->v, q->v) + q->w * q->w, R);
+  if (!screw_of_rotation(q, n, c->center, c->travel, &s)) return CHS_ERR_OVERFLOW;
   rotate(R, c->center, turned);
   for (int i = 0; i < 3; i++) p[i] = (c->center[i] - turned[i]) + c->travel[i];
   if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
@@ -460,4 +462,112 @@ int FN(chs_motion_fit)(size_t n, const real *initial, const real *final, const r
   status = with_missing(&s, displace(&c, &best, out, T));
   if (status >= 0 && quality) *quality = found;
   return status;
+}
+
+/* C += factor J P J^T for J of n rows of three, P symmetric. */
+static void spread(int n, const real *J, const real P[9], real factor, real *C) {
+  for (int i = 0; i < n; i++) {
+    real row[3];
+    rotate_back(P, J + 3 * i, row);
+    for (int j = 0; j < n; j++) C[n * i + j] += factor * dot(row, J + 3 * j);
+  }
+}
+
+/* How errors move the screw: those of the rotation, a small turn w in the final frame, and those of the centroid. */
+typedef struct screw_slopes {
+  const real *e;
+  real middle[3], travel[3];
+  real cotangent, inverse_square; /* of half the angle, and of its sine */
+} screw_slopes;
+
+/* de = 1/2 (cot(theta/2) (w - (e.w) e) - e x w); the rest are the differentials of eq. 10 and 24. */
+static void slopes_by_turn(const screw_slopes *s, const real w[3], real slope[8]) {
+  real exw[3], exD[3], dexD[3], *de = slope, *dA = slope + 3, along = dot(s->e, w);
+  cross(s->e, w, exw);
+  for (int i = 0; i < 3; i++) de[i] = K(0.5) * (s->cotangent * (w[i] - along * s->e[i]) - exw[i]);
+  cross(s->e, s->travel, exD);
+  cross(de, s->travel, dexD);
+  real dM = dot(de, s->middle), M = dot(s->e, s->middle), dcot = K(-0.5) * along * s->inverse_square;
+  for (int i = 0; i < 3; i++) dA[i] = K(0.5) * (dcot * exD[i] + s->cotangent * dexD[i]) - (dM * s->e[i] + M * de[i]);
+  slope[6] = dot(de, s->travel);
+  slope[7] = along;
+}
+
+static void slopes_by_shift(const screw_slopes *s, const real shift[3], real slope[8]) {
+  real exd[3], along = dot(s->e, shift);
+  cross(s->e, shift, exd);
+  for (int i = 0; i < 3; i++) {
+    slope[i] = 0;
+    slope[3 + i] = K(0.5) * ((shift[i] - along * s->e[i]) + s->cotangent * exd[i]);
+  }
+  slope[6] = along;
+  slope[7] = 0;
+}
+
+static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/* turn and shift: the variances of the rotation, times the inverse curvature, and of a centroid's component. */
+static void pose_covariance(const cloud *c, const real R[9], const real inverse[9], real turn, real shift, real C[36]) {
+  real J[18], arm[3], column[3];
+  rotate(R, c->center, arm);
+  for (int j = 0; j < 3; j++) {
+    const real w[3] = {R[j], R[3 + j], R[6 + j]};
+    cross(arm, w, column);
+    for (int i = 0; i < 3; i++) {
+      J[3 * i + j] = w[i];
+      J[9 + 3 * i + j] = column[i];
+    }
+  }
+  for (int i = 0; i < 36; i++) C[i] = 0;
+  spread(6, J, inverse, turn, C);
+  for (int i = 3; i < 6; i++) C[7 * i] += shift;
+}
+
+static void screw_covariance(const cloud *c, const best_rotation *best, const real e[3], const real R[9], real turn,
+                             real shift, real C[64]) {
+  real vv = dot(best->q.v, best->q.v), w = best->q.w > 0 ? best->q.w : K(0.0), by_turn[24], by_shift[24], slope[8];
+  screw_slopes s = {e, {0}, {0}, w / SQRT(vv), (vv + w * w) / vv};
+  copy(c->travel, 3, s.travel);
+  for (int i = 0; i < 3; i++) s.middle[i] = c->center[i] + K(0.5) * c->travel[i];
+  for (int j = 0; j < 3; j++) {
+    const real axis[3] = {R[j], R[3 + j], R[6 + j]};
+    slopes_by_turn(&s, axis, slope);
+    for (int i = 0; i < 8; i++) by_turn[3 * i + j] = slope[i];
+    slopes_by_shift(&s, identity + 3 * j, slope);
+    for (int i = 0; i < 8; i++) by_shift[3 * i + j] = slope[i];
+  }
+  for (int i = 0; i < 64; i++) C[i] = 0;
+  spread(8, by_turn, best->inverse, turn, C);
+  spread(8, by_shift, identity, shift, C);
+}
+
+int FN(chs_motion_finish_covariance)(const motion_sums *sums, real sigma, real pose[36], real of_screw[64]) {
+  cloud c;
+  best_rotation best;
+  screw s;
+  real T[16], R[9], p[3], C6[36], C8[64] = {0};
+  if (!(sigma >= 0 && sigma <= REAL_MAX)) return CHS_ERR_ARGUMENT;
+  int status = solve(sums, &c, &best);
+  if (status == CHS_OK) status = displace(&c, &best, &s, T);
+  if (status < 0) return status;
+  int turns = status != CHS_PURE_TRANSLATION && status != CHS_NO_MOTION;
+  if (of_screw && !turns) return CHS_ERR_SINGULAR;
+  part(T, R, p);
+  real scaled = sums->scale * sigma, turn = scaled * scaled * c.reduce, shift = sigma * (sigma / total(sums, WEIGHT));
+  pose_covariance(&c, R, best.inverse, turn, shift, C6);
+  if (of_screw) screw_covariance(&c, &best, s.axis, R, turn, shift, C8);
+  if (!all_finite(C6, 36) || !all_finite(C8, 64)) return CHS_ERR_OVERFLOW;
+  if (pose) copy(C6, 36, pose);
+  if (of_screw) copy(C8, 64, of_screw);
+  if (C8[0] + C8[9] + C8[18] > K(0.01) || C6[0] + C6[7] + C6[14] > K(0.01)) return CHS_ILL_CONDITIONED;
+  return with_missing(sums, status);
+}
+
+int FN(chs_motion_covariance)(size_t n, const real *initial, const real *final, const real *weights,
+                              const unsigned char *missing, real sigma, real pose[36], real of_screw[64]) {
+  motion_sums s;
+  const run all = {n, initial, final, weights};
+  FN(chs_motion_begin)(&s);
+  int status = add_all(&s, &all, missing);
+  return status == CHS_OK ? FN(chs_motion_finish_covariance)(&s, sigma, pose, of_screw) : status;
 }

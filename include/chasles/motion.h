@@ -212,6 +212,45 @@ int chs_motion_finish(const chs_motion_sums *sums, double tolerance, chs_screw *
 int chs_motion_finishf(const chs_motion_sumsf *sums, float tolerance, chs_screwf *screw, float T[16],
                        chs_motion_qualityf *quality);
 
+/* What measuring errors do to the least-squares displacement, to first order (Spoor & Veldpaus 1980; Woltring et al. 1985
+ * for the axis).
+ *
+ *   n ... missing  as for chs_motion_fit. Where the points differ in quality the weights must be what they should be:
+ *                  the error of point i is sigma / sqrt(weight of i), in each coordinate.
+ *   sigma          the standard deviation of each coordinate of y - (R x + p), in the unit of the points: errors are
+ *                  independent and alike in all directions. With errors of s_i before and s_f after that is
+ *                  (s_i^2 + s_f^2)^1/2. From the fit itself an estimate is rms (n / (3 n - 6))^1/2.
+ *   pose           [36], row-major, the covariance of (w; d): the true pose is [exp([w]) R, p + d; 0 1], w a small
+ *                  rotation vector in the final frame, d in coordinates of it. Units: radians and the points' unit,
+ *                  multiplied; may be NULL.
+ *   screw          [64], row-major, the covariance of the eight numbers of chs_screw in their order: axis, point,
+ *                  translation, angle; may be NULL. The axis has two degrees of freedom and so has the point: the rank
+ *                  is 6.
+ *
+ * With A = R (trace(S) I - S) R^T (chs_motion_fit), W the sum of the weights and e the axis,
+ *   cov(w) = sigma^2 A^-1,  cov(C' + error) = sigma^2 / W I, independent,  d = shift of the centroid - w x R C,
+ *   d axis = 1/2 (cot(theta/2) (w - (e.w) e) - e x w),  d angle = e.w,
+ * and point and translation by the differentials of eq. 24 and 10. So the axis' variance grows like 1/theta^2 for small
+ * angles, and that of the point like |D|^2/theta^4.
+ *
+ * With a^2 = |A^-1| and b^2 = 1/W the standard deviations are bounded by sigma times: w a; d a r + b; axis a/s; point
+ * a (r/s + |D|/s^2) + b/s; translation a |D|/s + b; angle a. The error of an entry is relative to the two bounds that it
+ * belongs to times k, for the screw times k/s.
+ * Returns as chs_motion_fit but for CHS_ERR_NOT_RIGID, and
+ *   CHS_ILL_CONDITIONED  the rotation or the axis is uncertain by more than 0.1 radians, where first order tells
+ *                        little: the angle is too small for the errors, or the cloud too thin
+ *   CHS_ERR_SINGULAR     also where the covariance of the screw is asked for and there is no rotation
+ *   CHS_ERR_ARGUMENT     also a sigma that is negative, NaN or infinite */
+#define CHS_EPS_MOTION_COVARIANCE 16.0
+int chs_motion_covariance(size_t n, const double *initial, const double *final, const double *weights,
+                          const unsigned char *missing, double sigma, double pose[36], double screw[64]);
+int chs_motion_covariancef(size_t n, const float *initial, const float *final, const float *weights,
+                           const unsigned char *missing, float sigma, float pose[36], float screw[64]);
+
+/* The same for points that came one at a time. */
+int chs_motion_finish_covariance(const chs_motion_sums *sums, double sigma, double pose[36], double screw[64]);
+int chs_motion_finish_covariancef(const chs_motion_sumsf *sums, float sigma, float pose[36], float screw[64]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,8 +9,8 @@
 
 enum {
   MAX_INPUTS = 64, /* a larger function does not compile: see functions.c */
-  MAX_OUTPUTS = 96,
-  MAX_PROMISES = 12
+  MAX_OUTPUTS = 104,
+  MAX_PROMISES = 16
 };
 
 /* The largest error promised for a group of outputs, in eps of the format, as the public header states it. */

@@ -81,6 +81,10 @@ static int LOCAL(stream)(const REAL *in, REAL *out) {
   return status;
 }
 
+static int LOCAL(spread)(const REAL *in, REAL *out) {
+  return LIB(motion_covariance)(6, in, in + 18, in + 36, NULL, in[42], out, out + 36);
+}
+
 /* A chain of six joints in a flat array is its screws, home pose and form, 1 being the body form; the joint values
  * follow. */
 static CHAIN LOCAL(get_chain)(const REAL *flat) {

@@ -137,6 +137,95 @@ def evaluate_finish(fmt, x):
     return Result(fit.outputs[:25], fit.scales[:6] + [rms_scale, mpf(0)], fit.statuses)
 
 
+# The covariance of the pose and of the screw
+
+
+COVARIANCE_GROUPS, PAIRS = [], []  # of the pose 6x6, then of the screw 8x8, by the parts of their rows and columns
+PARTS = {"axis": range(0, 3), "point": range(3, 6), "translation": range(6, 7), "angle": range(7, 8)}
+
+
+def covariance_group(name, offset, size, rows, columns):
+    entries = sorted({offset + size * i + j for r, c in ((rows, columns), (columns, rows)) for i in r for j in c})
+    COVARIANCE_GROUPS.append(Group(name, "max", entries))
+
+
+covariance_group("rotation", 0, 6, range(0, 3), range(0, 3))
+covariance_group("rotation_position", 0, 6, range(0, 3), range(3, 6))
+covariance_group("position", 0, 6, range(3, 6), range(3, 6))
+for i, first in enumerate(PARTS):
+    for second in list(PARTS)[i:]:
+        covariance_group(first if first == second else first + "_" + second, 36, 8, PARTS[first], PARTS[second])
+        PAIRS.append((first, second))
+
+
+def screw_of_pose(w, R, shift, cloud):
+    """The eight numbers of the screw whose rotation is exp([w]) R, taking the centroid to `shift` beside its image."""
+    axis, angle, _ = exact.quaternion_axis_angle(exact.nearest_quaternion(exact.multiply(exact.exp(w), R)))
+    travel = add(subtract(cloud.after, cloud.before), shift)
+    midpoint = add(cloud.before, times(mpf("0.5"), travel))
+    point, translation = exact.screw_of_rotation(axis, angle, midpoint, travel)
+    return axis + point + [translation, angle]
+
+
+def slopes(function, size, step):
+    """The Jacobian by central differences in many digits: a column for each of the six errors."""
+    columns = []
+    for k in range(6):
+        error = [step if i == k else mpf(0) for i in range(6)]
+        ahead, behind = function(error), function([-e for e in error])
+        columns.append([(a - b) / (2 * step) for a, b in zip(ahead, behind)])
+    return [[columns[k][i] for k in range(6)] for i in range(size)]
+
+
+def evaluate_covariance(fmt, x):
+    sigma = x[42]
+    cloud, q, R, k = best_fit(x)
+    if q is None or q[0] == 0 or 64 * k * fmt.eps > 1:
+        raise Unclear  # the sign of a half-turn's axis changes from one step to the next
+    axis, angle, gap = exact.quaternion_axis_angle(q)
+    s = sin(angle / 2)
+    if 64 * k * fmt.eps > s or gap < 64 * k * fmt.eps:
+        raise Unclear
+    with workprec(FINE_BITS):
+        inverse = exact.multiply(R, exact.multiply(curvature_inverse(R, cloud.H), exact.transpose(R)))
+        step = ldexp(1, -300)
+        image = apply(R, cloud.before)
+
+        def pose_errors(e):
+            turned = apply(exact.exp(e[0:3]), image)
+            return e[0:3] + subtract(e[3:6], subtract(turned, image))
+
+        def screw_errors(e):
+            return screw_of_pose(e[0:3], R, e[3:6], cloud)
+
+        def covariance(J):
+            def entry(a, b):
+                turn = sum(a[i] * inverse[3 * i + j] * b[j] for i in range(3) for j in range(3))
+                return sigma**2 * (turn + dot(a[3:6], b[3:6]) / cloud.weight)
+
+            return [entry(a, b) for a in J for b in J]
+
+        pose = covariance(slopes(pose_errors, 6, step))
+        of_screw = covariance(slopes(screw_errors, 8, step))
+        a, b = sqrt(norm(inverse)), 1 / sqrt(cloud.weight)
+    rho = max(norm(p) for p in cloud.points + cloud.moved)
+    travel = norm(subtract(cloud.after, cloud.before))
+    bound = {
+        "axis": a / s,
+        "point": a * (rho / s + travel / s**2) + b / s,
+        "translation": a * travel / s + b,
+        "angle": a,
+    }
+    scales = [a * a, a * (a * rho + b), (a * rho + b) ** 2]
+    scales = [sigma**2 * k * scale for scale in scales]
+    scales += [sigma**2 * k / s * bound[first] * bound[second] for first, second in PAIRS]
+    doubt = max(pose[0] + pose[7] + pose[14], of_screw[0] + of_screw[9] + of_screw[18])
+    if mpf("0.005") < doubt < mpf("0.02"):
+        raise Unclear
+    statuses = (4,) if doubt > mpf("0.01") else statuses_of(fmt, gap, k, s, cloud.missing)
+    return Result(pose + of_screw, scales, statuses)
+
+
 # Clouds, about the origin and about 1 in size
 
 
@@ -338,7 +427,33 @@ def bands(fmt, rng):
     return result + faults(fmt, rng)
 
 
+def with_sigma(build):
+    def inputs(fmt, rng, k):
+        x = build(fmt, rng, k)
+        finite = [abs(c) for c in x[0:18] if isinstance(c, mpf)]
+        return x[:42] + [fmt.round(max(finite) * magnitude(rng, 1e-6, 1e-2))]
+
+    return inputs
+
+
+def covariance_bands(fmt, rng):
+    result = []
+    for band in bands(fmt, rng):
+        if band.status is None and band.name not in ("pure_translation", "at_pi", "large", "small_scale"):
+            result.append(Band(band.name, max(6, band.count // 3), with_sigma(band.build), band.label))
+    good = of_angle("ordinary")(fmt, rng, 1)
+    still = [good[:18] + good[:18] + good[36:42] + [mpf(1)]]
+    bad = [good[:42] + [sigma] for sigma in (mpf(-1), "nan", "inf")]
+    few = [good[:36] + [mpf(0)] * COUNT + [mpf(1)]]
+    return result + [
+        Errors(-7, still, "no_rotation"),
+        Errors(-11, bad, "bad_sigma"),
+        Errors(-12, few, "too_few"),
+    ]
+
+
 FUNCTIONS = [
     Function("motion_fit", 43, FIT_GROUPS, evaluate_fit, bands),
     Function("motion_finish", 43, FINISH_GROUPS, evaluate_finish, bands),
+    Function("motion_covariance", 43, COVARIANCE_GROUPS, evaluate_covariance, covariance_bands),
 ]
