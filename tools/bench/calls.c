@@ -1,38 +1,20 @@
-/* calls.c - see calls.h. The registry's calls are static functions, which vanish into the loops around them, so that
- * what is timed calls the library as a user's own loop would.
+/* calls.c - see calls.h. The registry's source is included, because its calls are static functions: they vanish into
+ * the loops around them, so that what is timed calls the library as a user's own loop would.
  */
 #include "calls.h"
 
-#include <chasles/chasles.h>
+#include "functions.c"
 
-#define LOOP(name, inputs, outputs)                                      \
-  static int LOCAL(loop_##name)(const REAL *in, REAL *out, long cases) { \
-    int status = CHS_OK;                                                 \
-    for (long i = 0; i < cases; ++i, in += (inputs), out += (outputs)) { \
-      status = LOCAL(call_##name)(in, out);                              \
-    }                                                                    \
-    return status;                                                       \
+#define LOOP(name, real, inputs, outputs)                                  \
+  static int loop_##name##_##real(const real *in, real *out, long cases) { \
+    int status = CHS_OK;                                                   \
+    for (long i = 0; i < cases; ++i, in += (inputs), out += (outputs)) {   \
+      status = call_##name##_##real(in, out);                              \
+    }                                                                      \
+    return status;                                                         \
   }
-
-#define REAL double
-#define SCREW chs_screw
-#define LIB(name) chs_##name
-#define LOCAL(name) name##_double
-#include "functions_calls.h"
-#define FUNCTION(name, kinds, inputs, outputs, call, ...) LOOP(name, inputs, outputs)
-#include "functions.def"
-#undef FUNCTION
-#undef REAL
-#undef SCREW
-#undef LIB
-#undef LOCAL
-
-#define REAL float
-#define SCREW chs_screwf
-#define LIB(name) chs_##name##f
-#define LOCAL(name) name##_float
-#include "functions_calls.h"
-#define FUNCTION(name, kinds, inputs, outputs, call, ...) LOOP(name, inputs, outputs)
+#define FUNCTION(name, kinds, inputs, outputs, call, ...) \
+  LOOP(name, double, inputs, outputs) LOOP(name, float, inputs, outputs)
 #include "functions.def"
 #undef FUNCTION
 

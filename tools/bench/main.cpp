@@ -1,6 +1,6 @@
 /* main.cpp - times every function of chasles beside those of other libraries, and measures the errors of all.
  *
- *   bench FLAVOUR VECTORS ROUNDS OUT.json [PLUG-IN...]
+ *   bench FLAVOUR VECTORS ROUNDS OUT.json [--only=FUNCTION]... [PLUG-IN...]
  *
  * For each function, precision, set of angles and number of cases the libraries take turns: a round is one turn of
  * each, so that whatever disturbs the machine disturbs all alike. A turn goes through the cases once unmeasured, so
@@ -264,10 +264,11 @@ void take_turns(const contest &contest, angles set, int cases, int rounds, json 
   }
 }
 
-std::vector<contest> all_contests(const std::vector<subject> &subjects, const std::vector<library> &libraries,
-                                  const std::string &vectors) {
+std::vector<contest> all_contests(const std::vector<subject> &subjects, const std::vector<std::string> &only,
+                                  const std::vector<library> &libraries, const std::string &vectors) {
   std::vector<contest> contests;
   for (const subject &what : subjects) {
+    if (!only.empty() && std::find(only.begin(), only.end(), what.name) == only.end()) continue;
     for (const bool single : {false, true}) {
       contest next{what, single, {}, {}, {}, false};
       for (const library &library : libraries) {
@@ -294,13 +295,18 @@ void report(const contest &contest) {
 
 int main(int argc, char **argv) {
   if (argc < 5) {
-    std::fputs("usage: bench FLAVOUR VECTORS ROUNDS OUT.json [PLUG-IN...]\n", stderr);
+    std::fputs("usage: bench FLAVOUR VECTORS ROUNDS OUT.json [--only=FUNCTION]... [PLUG-IN...]\n", stderr);
     return 2;
   }
   const int rounds = std::atoi(argv[3]);
   std::vector<library> libraries = {chasles()};
-  for (int i = 5; i < argc; ++i)
-    if (!load_plug_in(argv[i], libraries)) return 2;
+  std::vector<std::string> only;
+  for (int i = 5; i < argc; ++i) {
+    if (std::strncmp(argv[i], "--only=", 7) == 0)
+      only.push_back(argv[i] + 7);
+    else if (!load_plug_in(argv[i], libraries))
+      return 2;
+  }
   std::FILE *file = std::fopen(argv[4], "w");
   if (file == nullptr || rounds < 1) {
     std::fprintf(stderr, "bench: cannot write %s, or no rounds\n", argv[4]);
@@ -308,7 +314,7 @@ int main(int argc, char **argv) {
   }
 
   const std::vector<subject> subjects = all_subjects();
-  const std::vector<contest> contests = all_contests(subjects, libraries, argv[2]);
+  const std::vector<contest> contests = all_contests(subjects, only, libraries, argv[2]);
   json out(file);
   out.begin(argv[1], libraries);
   for (const contest &contest : contests) measure_errors(contest, out);
@@ -318,6 +324,7 @@ int main(int argc, char **argv) {
     const bool beyond = has_random_inputs(contest.what.kinds) && angles_are_given(contest.what.kinds);
     for (const angles set : all_angles) {
       if (set == angles::beyond && !beyond) continue;
+      if (set == angles::mixed && contest.what.function == nullptr) continue; /* scenes know no angle of their own */
       for (const int cases : numbers_of_cases) take_turns(contest, set, cases, rounds, out);
     }
   }

@@ -97,6 +97,24 @@ private:
     put_all(in, std::array<double, 4>{0.0, 0.0, 0.0, 1.0});
   }
 
+  std::array<double, scene_joints> joint_angles() {
+    std::array<double, scene_joints> q{};
+    for (double &x : q) x = uniform(-pi, pi);
+    return q;
+  }
+
+  /* The tool's pose at these joint angles. */
+  void put_goal(std::vector<double> &in, const std::array<double, scene_joints> &q) const {
+    matrix R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    vector p{};
+    for (std::size_t i = 0; i < scene_joints; ++i) {
+      R = product(R, rotation({0.0, 0.0, q[i]}));
+      for (std::size_t k = 0; k < 3; ++k) p[k] += R[3 * k] * scene_arm[i].a + R[3 * k + 2] * scene_arm[i].d;
+      R = product(R, rotation({scene_arm[i].quarter_turns * pi / 2, 0.0, 0.0}));
+    }
+    put_pose(in, R, p);
+  }
+
   /* Points of a body before and after a motion. */
   void put_clouds(std::vector<double> &in, int points) {
     const matrix R = rotation(rotation_vector());
@@ -155,15 +173,14 @@ void generator::append(char letter, std::vector<double> &in) {
     break;
   }
   case 'P': put_clouds(in, 3); break;
-  case 'C': put_clouds(in, scene_points); break;
   case 't': put(in, 1e-3); break;
-  case 'q':
-    for (int i = 0; i < scene_joints; ++i) put(in, uniform(-pi, pi));
-    break;
-  case 'g': { /* joint angles, and a start near them */
-    std::array<double, scene_joints> q{};
-    for (double &x : q) x = uniform(-pi, pi);
-    put_all(in, q);
+  case scene_cloud: put_clouds(in, scene_points); break;
+  case scene_angles: put_all(in, joint_angles()); break;
+  case scene_goal: {
+    std::array<double, scene_joints> q = joint_angles();
+    /* Elbow and wrist bent, so that Newton's method arrives. */
+    while (std::fabs(std::sin(q[2])) < 0.3 || std::fabs(std::sin(q[4])) < 0.3) q = joint_angles();
+    put_goal(in, q);
     for (const double x : q) put(in, x + uniform(-0.2, 0.2));
     break;
   }
@@ -182,7 +199,7 @@ const char *angles_name(angles set) {
 }
 
 bool has_random_inputs(const std::string &kinds) {
-  return kinds.find_first_not_of("xwaMRQTVSPCtqg") == std::string::npos;
+  return kinds.find_first_not_of("xwaMRQTVSPt123") == std::string::npos;
 }
 
 bool angles_are_given(const std::string &kinds) { return kinds.find_first_of("waVS") == 0; }

@@ -1,8 +1,147 @@
-/* scenes.cpp - chasles in the scenes of scenes.def, and its array forms. */
+/* scenes.cpp - chasles in the scenes of scenes.def. */
 #include "scenes.hpp"
 
 #include <chasles/chasles.h>
 
+#include <limits>
+
 #include "library.hpp"
 
-void describe_chasles_scenes(library &library) { (void)library; }
+namespace {
+
+/* The library's functions and types by precision. */
+template <class Real> struct chs;
+
+template <> struct chs<double> {
+  using chain = chs_chain;
+  static constexpr auto fk = chs_chain_fk;
+  static constexpr auto space_jacobian = chs_chain_space_jacobian;
+  static constexpr auto body_jacobian = chs_chain_body_jacobian;
+  static constexpr auto rates = chs_chain_rates_inverse;
+  static constexpr auto inverse = chs_se3_inverse;
+  static constexpr auto compose = chs_se3_compose;
+  static constexpr auto log = chs_se3_log;
+  static constexpr auto fit = chs_motion_fit;
+  static constexpr auto bottema_roth = chs_motion_bottema_roth;
+  static constexpr auto laub_shiflett = chs_motion_laub_shiflett;
+};
+
+template <> struct chs<float> {
+  using chain = chs_chainf;
+  static constexpr auto fk = chs_chain_fkf;
+  static constexpr auto space_jacobian = chs_chain_space_jacobianf;
+  static constexpr auto body_jacobian = chs_chain_body_jacobianf;
+  static constexpr auto rates = chs_chain_rates_inversef;
+  static constexpr auto inverse = chs_se3_inversef;
+  static constexpr auto compose = chs_se3_composef;
+  static constexpr auto log = chs_se3_logf;
+  static constexpr auto fit = chs_motion_fitf;
+  static constexpr auto bottema_roth = chs_motion_bottema_rothf;
+  static constexpr auto laub_shiflett = chs_motion_laub_shiflettf;
+};
+
+/* The arm of scenes.hpp, its screws given in the fixed frame. All its links being along or across each other at q = 0,
+ * every number is exact but for the sums of lengths. */
+template <class Real> class arm {
+public:
+  arm() : chain_() {
+    double R[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    double p[3] = {0, 0, 0};
+    for (int i = 0; i < scene_joints; ++i) {
+      const double z[3] = {R[2], R[5], R[8]};
+      const double v[3] = {p[1] * z[2] - p[2] * z[1], p[2] * z[0] - p[0] * z[2], p[0] * z[1] - p[1] * z[0]};
+      for (int k = 0; k < 3; ++k) {
+        screws_[6 * i + k] = static_cast<Real>(z[k]);
+        screws_[6 * i + 3 + k] = static_cast<Real>(v[k]);
+        p[k] += R[3 * k] * scene_arm[i].a + z[k] * scene_arm[i].d;
+        /* Rx by a quarter turn: y becomes z, z becomes -y. */
+        const double y = R[3 * k + 1];
+        const int turn = scene_arm[i].quarter_turns;
+        R[3 * k + 1] = turn == 0 ? y : turn * z[k];
+        R[3 * k + 2] = turn == 0 ? z[k] : -turn * y;
+      }
+    }
+    chain_.joints = scene_joints;
+    chain_.form = CHS_SPACE_FORM;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) chain_.home[4 * i + j] = static_cast<Real>(R[3 * i + j]);
+      chain_.home[4 * i + 3] = static_cast<Real>(p[i]);
+    }
+    chain_.home[15] = 1;
+  }
+
+  const typename chs<Real>::chain &chain() {
+    chain_.screws = screws_;
+    return chain_;
+  }
+
+private:
+  typename chs<Real>::chain chain_;
+  Real screws_[6 * scene_joints];
+};
+
+template <class Real> const typename chs<Real>::chain &ur5() {
+  static arm<Real> only;
+  return only.chain();
+}
+
+/* q <- q + J^-1 log(T^-1 goal), all in the tool's frame; how far it was is left in error. */
+template <class Real> void newton_step(const Real *goal, Real *q, Real error[6]) {
+  Real J[36], T[16], back[16], rates[6];
+  chs<Real>::body_jacobian(&ur5<Real>(), q, J, T);
+  chs<Real>::inverse(T, back);
+  chs<Real>::compose(back, goal, back);
+  chs<Real>::log(back, error);
+  if (chs<Real>::rates(J, error, rates) < 0) return;
+  for (int i = 0; i < scene_joints; ++i) q[i] += rates[i];
+}
+
+/* A method for three points, asked for the pose alone. */
+template <class Real, class Method> void add_pose(library &library, const char *name, Method method) {
+  using triangle = std::array<Real, 9>;
+  using pose = std::array<Real, 16>;
+  add<Real, pose, triangle, triangle>(library, name, [method](const triangle &before, const triangle &after, pose &T) {
+    method(before.data(), after.data(), Real(1e-3), nullptr, T.data());
+  });
+}
+
+template <class Real> void describe_precision(library &library) {
+  using angles = std::array<Real, scene_joints>;
+  using pose = std::array<Real, 16>;
+  using cloud = std::array<Real, 3 * scene_points>;
+  using jacobian_and_pose = std::array<Real, 36 + 16>;
+  add_pose<Real>(library, "pose_bottema_roth", chs<Real>::bottema_roth);
+  add_pose<Real>(library, "pose_laub_shiflett", chs<Real>::laub_shiflett);
+  add<Real, pose, cloud, cloud>(library, "points_100", [](const cloud &before, const cloud &after, pose &T) {
+    constexpr Real any = std::numeric_limits<Real>::infinity();
+    chs<Real>::fit(scene_points, before.data(), after.data(), nullptr, nullptr, any, nullptr, T.data(), nullptr);
+  });
+  add<Real, pose, angles>(library, "ur5_fk",
+                          [](const angles &q, pose &T) { chs<Real>::fk(&ur5<Real>(), q.data(), T.data()); });
+  add<Real, jacobian_and_pose, angles>(library, "ur5_fk_jacobian", [](const angles &q, jacobian_and_pose &out) {
+    chs<Real>::space_jacobian(&ur5<Real>(), q.data(), out.data(), out.data() + 36);
+  });
+  add<Real, angles, pose, angles>(library, "ur5_newton_step", [](const pose &goal, const angles &start, angles &q) {
+    Real error[6];
+    q = start;
+    newton_step(goal.data(), q.data(), error);
+  });
+  add<Real, angles, pose, angles>(library, "ur5_ik", [](const pose &goal, const angles &start, angles &q) {
+    constexpr Real enough = sizeof(Real) == sizeof(float) ? Real(1e-5) : Real(1e-10);
+    Real error[6];
+    q = start;
+    for (int i = 0; i < 50; ++i) {
+      newton_step(goal.data(), q.data(), error);
+      Real square = 0;
+      for (const Real x : error) square += x * x;
+      if (square <= enough * enough) break;
+    }
+  });
+}
+
+} // namespace
+
+void describe_chasles_scenes(library &library) {
+  describe_precision<double>(library);
+  describe_precision<float>(library);
+}

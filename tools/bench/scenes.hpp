@@ -2,6 +2,11 @@
 #ifndef SCENES_HPP
 #define SCENES_HPP
 
+/* Kinds of inputs beside the letters of functions.def. */
+constexpr char scene_cloud = '1';  /* scene_points points before and after a motion */
+constexpr char scene_angles = '2'; /* of the arm's joints */
+constexpr char scene_goal = '3';   /* a pose of the arm's tool, and joint angles within 0.2 rad of it */
+
 constexpr int scene_points = 100;
 
 /* The arm: a UR5 by the maker's Denavit-Hartenberg parameters (Universal Robots, "DH parameters for calculations of

@@ -66,6 +66,11 @@ template <class Real> static void describe_precision(library &eigen) {
         behind_the_screw)
         .remark = "umeyama, the pose without the screw";
   }
+  for (const char *method : {"pose_bottema_roth", "pose_laub_shiflett"}) {
+    add<Real, pose, triangle, triangle>(eigen, method, [](const triangle &before, const triangle &after, pose &T) {
+      T.matrix() = Eigen::umeyama(before.points, after.points, false);
+    });
+  }
   add<Real, pose, hundred, hundred>(eigen, "points_100", [](const hundred &before, const hundred &after, pose &T) {
     T.matrix() = Eigen::umeyama(before.points, after.points, false);
   }).remark = "umeyama";

@@ -1,8 +1,13 @@
 /* kdl.cpp - Orocos KDL; double only. Its twists and wrenches have the angular part last. */
+#include <kdl/chainfksolverpos_recursive.hpp>
+#include <kdl/chainiksolverpos_nr.hpp>
+#include <kdl/chainiksolvervel_pinv.hpp>
+#include <kdl/chainjnttojacsolver.hpp>
 #include <kdl/config.h>
 #include <kdl/frames.hpp>
 
 #include "../library.hpp"
+#include "../scenes.hpp"
 
 template <> struct codec<double, KDL::Vector> {
   static constexpr int size = 3;
@@ -53,6 +58,78 @@ template <> struct codec<double, KDL::Wrench> {
   }
 };
 
+template <> struct codec<double, KDL::JntArray> {
+  static constexpr int size = scene_joints;
+  static void get(const double *flat, KDL::JntArray &q) {
+    q.resize(scene_joints);
+    for (int i = 0; i < scene_joints; ++i) q.data[i] = flat[i];
+  }
+  static void put(const KDL::JntArray &q, double *flat) {
+    for (int i = 0; i < scene_joints; ++i) flat[i] = q.data[i];
+  }
+};
+
+/* KDL's Jacobian gives the velocity of the tool's origin, ours that of the point at the fixed origin. */
+struct jacobian_and_pose {
+  KDL::Jacobian J = KDL::Jacobian(scene_joints);
+  KDL::Frame T;
+};
+template <> struct codec<double, jacobian_and_pose> {
+  static constexpr int size = 36 + 16;
+  static void put(const jacobian_and_pose &x, double *flat) {
+    for (unsigned i = 0; i < scene_joints; ++i) {
+      const KDL::Twist column = x.J.getColumn(i).RefPoint(-x.T.p);
+      for (int k = 0; k < 3; ++k) {
+        flat[6 * k + static_cast<int>(i)] = column.rot(k);
+        flat[6 * (k + 3) + static_cast<int>(i)] = column.vel(k);
+      }
+    }
+    codec<double, KDL::Frame>::put(x.T, flat + 36);
+  }
+};
+
+/* The arm and its solvers. */
+struct arm {
+  KDL::Chain chain = make();
+  KDL::ChainFkSolverPos_recursive fk{chain};
+  KDL::ChainJntToJacSolver jacobian{chain};
+  KDL::ChainIkSolverVel_pinv velocity{chain};
+  KDL::ChainIkSolverPos_NR newton{chain, fk, velocity, 50, 1e-10};
+  KDL::JntArray rates = KDL::JntArray(scene_joints);
+
+  static KDL::Chain make() {
+    KDL::Chain chain;
+    for (const joint &joint : scene_arm) {
+      const double turn = joint.quarter_turns;
+      const KDL::Rotation alpha(1, 0, 0, 0, turn == 0, -turn, 0, turn, turn == 0);
+      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::RotZ), KDL::Frame(alpha, KDL::Vector(joint.a, 0, joint.d))));
+    }
+    return chain;
+  }
+};
+
+static void describe_arm(library &kdl) {
+  using KDL::Frame;
+  using KDL::JntArray;
+  const auto ur5 = std::make_shared<arm>();
+  add<double, Frame, JntArray>(kdl, "ur5_fk", [ur5](const JntArray &q, Frame &T) { ur5->fk.JntToCart(q, T); });
+  add<double, jacobian_and_pose, JntArray>(kdl, "ur5_fk_jacobian", [ur5](const JntArray &q, jacobian_and_pose &out) {
+    ur5->jacobian.JntToJac(q, out.J);
+    ur5->fk.JntToCart(q, out.T);
+  });
+  add<double, JntArray, Frame, JntArray>(kdl, "ur5_newton_step",
+                                         [ur5](const Frame &goal, const JntArray &start, JntArray &q) {
+                                           Frame T;
+                                           ur5->fk.JntToCart(start, T);
+                                           ur5->velocity.CartToJnt(start, KDL::diff(T, goal), ur5->rates);
+                                           KDL::Add(start, ur5->rates, q);
+                                         });
+  add<double, JntArray, Frame, JntArray>(kdl, "ur5_ik", [ur5](const Frame &goal, const JntArray &start, JntArray &q) {
+    q = start; /* and with it its size, which the solver asks for */
+    ur5->newton.CartToJnt(start, goal, q);
+  });
+}
+
 extern "C" void describe_library(library &kdl) {
   using KDL::Frame;
   using KDL::Rotation;
@@ -87,4 +164,5 @@ extern "C" void describe_library(library &kdl) {
                                                 [](double azimuth, double tilt, double torsion, Rotation &R) {
                                                   R = Rotation::EulerZYZ(azimuth, tilt, torsion - azimuth);
                                                 });
+  describe_arm(kdl);
 }

@@ -1,6 +1,10 @@
 /* pinocchio.cpp - Pinocchio. Its motions and forces have the linear part first. */
+#include <pinocchio/algorithm/jacobian.hpp>
+#include <pinocchio/algorithm/kinematics.hpp>
 #include <pinocchio/multibody.hpp>
 #include <pinocchio/spatial.hpp>
+
+#include <Eigen/LU>
 
 #include "../eigen_codecs.hpp"
 #include "../scenes.hpp"
@@ -77,9 +81,84 @@ template <class Real> static void describe_precision(library &pin) {
                                 [](const pose &T, const force &F, force &G) { G = T.actInv(F); });
 }
 
+/* The arm, with what Pinocchio computes in. */
+template <class Real> struct arm {
+  using pose = pinocchio::SE3Tpl<Real>;
+  pinocchio::ModelTpl<Real> model;
+  pinocchio::DataTpl<Real> data;
+  pose tool;
+
+  arm() {
+    pose next = pose::Identity();
+    pinocchio::JointIndex parent = 0;
+    for (const joint &joint : scene_arm) {
+      parent = model.addJoint(parent, pinocchio::JointModelRevoluteTpl<Real, 0, 2>(), next,
+                              "joint " + std::to_string(parent));
+      next.translation() << static_cast<Real>(joint.a), 0, static_cast<Real>(joint.d);
+      next.rotation() << 1, 0, 0, 0, joint.quarter_turns == 0, -joint.quarter_turns, 0, joint.quarter_turns,
+          joint.quarter_turns == 0;
+    }
+    tool = next;
+    data = pinocchio::DataTpl<Real>(model);
+  }
+};
+
+template <class Real> struct jacobian_and_pose {
+  Eigen::Matrix<Real, 6, scene_joints> J;
+  pinocchio::SE3Tpl<Real> T;
+};
+template <class Real> struct codec<Real, jacobian_and_pose<Real> > {
+  static constexpr int size = 36 + 16;
+  static void put(const jacobian_and_pose<Real> &x, double *flat) {
+    for (int i = 0; i < 36; ++i) flat[i] = static_cast<double>(x.J((i / 6 + 3) % 6, i % 6));
+    codec<Real, pinocchio::SE3Tpl<Real> >::put(x.T, flat + 36);
+  }
+};
+
+template <class Real> static void describe_arm(library &pin) {
+  using pose = pinocchio::SE3Tpl<Real>;
+  using angles = Eigen::Matrix<Real, scene_joints, 1>;
+  using any_angles = typename pinocchio::ModelTpl<Real>::ConfigVectorType;
+  using jacobian = Eigen::Matrix<Real, 6, scene_joints>;
+  const auto ur5 = std::make_shared<arm<Real> >();
+  /* One step of Newton's, as its users write it: the error in the tool's frame, the Jacobian there, a 6x6 solution. */
+  const auto step = [ur5](const pose &goal, any_angles &q) {
+    jacobian J;
+    pinocchio::computeJointJacobians(ur5->model, ur5->data, q);
+    const pose T = ur5->data.oMi[scene_joints] * ur5->tool;
+    const Eigen::Matrix<Real, 6, 1> error = pinocchio::log6(T.actInv(goal)).toVector();
+    J = T.toActionMatrixInverse() * ur5->data.J;
+    q += J.partialPivLu().solve(error);
+    return error.norm();
+  };
+  add<Real, pose, angles>(pin, "ur5_fk", [ur5](const angles &q, pose &T) {
+    pinocchio::forwardKinematics(ur5->model, ur5->data, q);
+    T = ur5->data.oMi[scene_joints] * ur5->tool;
+  });
+  add<Real, jacobian_and_pose<Real>, angles>(pin, "ur5_fk_jacobian",
+                                             [ur5](const angles &q, jacobian_and_pose<Real> &out) {
+                                               pinocchio::computeJointJacobians(ur5->model, ur5->data, q);
+                                               out.J = ur5->data.J;
+                                               out.T = ur5->data.oMi[scene_joints] * ur5->tool;
+                                             });
+  add<Real, angles, pose, angles>(pin, "ur5_newton_step", [step](const pose &goal, const angles &start, angles &end) {
+    any_angles q = start;
+    step(goal, q);
+    end = q;
+  });
+  add<Real, angles, pose, angles>(pin, "ur5_ik", [step](const pose &goal, const angles &start, angles &end) {
+    constexpr Real enough = std::is_same_v<Real, float> ? Real(1e-5) : Real(1e-10);
+    any_angles q = start;
+    for (int i = 0; i < 50 && step(goal, q) > enough; ++i) continue;
+    end = q;
+  });
+}
+
 extern "C" void describe_library(library &pin) {
   pin.name = "Pinocchio";
   pin.version = PINOCCHIO_VERSION;
   describe_precision<double>(pin);
   describe_precision<float>(pin);
+  describe_arm<double>(pin);
+  describe_arm<float>(pin);
 }
