@@ -148,6 +148,14 @@ static SELDOM int examine(const real initial[9], const real final[9], real toler
   return CHS_OK;
 }
 
+static int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x) {
+  x->examined = 0;
+  read_sides(initial, final, t);
+  read_centers(initial, final, t);
+  measure(t, dot(t->center, t->center) + dot(t->travel, t->travel));
+  return ordinary(t, tolerance) ? CHS_OK : examine(initial, final, tolerance, t, x);
+}
+
 /* The screw of q = (v; w), n = |v|, turned so that w is not negative where sign has its sign. */
 static INLINE void write_screw(const triangles *t, const quaternion *q, real n, real sign, screw *out) {
   real w = sign * q->w;
@@ -200,18 +208,35 @@ static int finish(const real initial[9], const real final[9], real tolerance, tr
   return half_turn ? CHS_HALF_TURN : CHS_OK;
 }
 
+/* The dual basis of the sides a and c before, and the unit normal's share: with N = a x c, that is c x N, N x a and N,
+ * all over N.N. */
+static INLINE void dual_basis(const triangles *t, real a[3], real c[3], real n[3]) {
+  cross(t->a, t->c, n);
+  cross(t->c, n, a);
+  cross(n, t->a, c);
+  real scale = K(1.0) / dot(n, n);
+  multiply_by(scale, a);
+  multiply_by(scale, c);
+  multiply_by(scale, n);
+}
+
+/* R = x a^T + y c^T + z n^T. */
+static INLINE void sum_of_products(const real x[3], const real a[3], const real y[3], const real c[3], const real z[3],
+                                   const real n[3], real R[9]) {
+  for (int i = 0; i < 3; i++) {
+    R[3 * i] = x[i] * a[0] + y[i] * c[0] + z[i] * n[0];
+    R[3 * i + 1] = x[i] * a[1] + y[i] * c[1] + z[i] * n[1];
+    R[3 * i + 2] = x[i] * a[2] + y[i] * c[2] + z[i] * n[2];
+  }
+}
+
 /* Eq. 12 and 13 with both origins moved along the normal of the points' plane: Q takes the sides to what they became,
- * and its cofactors take the normal a x c to af x cf. With the dual basis of a and c it is a sum of three products. */
+ * and its cofactors take the normal a x c to af x cf. */
 static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
-  real N[3], Nf[3], a[3], c[3], R[9];
-  cross(t->a, t->c, N);
+  real a[3], c[3], n[3], Nf[3], R[9];
+  dual_basis(t, a, c, n);
   cross(t->af, t->cf, Nf);
-  cross(t->c, N, a);
-  cross(N, t->a, c);
-  real scale = K(1.0) / dot(N, N);
-  for (int i = 0; i < 3; i++) a[i] *= scale, c[i] *= scale, N[i] *= scale;
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) R[3 * i + j] = t->af[i] * a[j] + t->cf[i] * c[j] + Nf[i] * N[j];
+  sum_of_products(t->af, a, t->cf, c, Nf, n, R);
   *q = quaternion_of(R);
 }
 
@@ -230,6 +255,11 @@ static INLINE int rodrigues(const triangles *t, quaternion *q) {
   return qq * qq >= vv * dot(N, N);
 }
 
+/* Eq. 23 on triangles that were examined. */
+static int clear_rodrigues(const triangles *t, quaternion *q) {
+  return rodrigues(t, q) && well_shaped(t) && plain(t, q);
+}
+
 /* The careful way of both methods. */
 static SELDOM int with_care(const real initial[9], const real final[9], real tolerance, int by_rodrigues, screw *out,
                             real T[16]) {
@@ -240,7 +270,7 @@ static SELDOM int with_care(const real initial[9], const real final[9], real tol
   read_centers(initial, final, &t);
   int status = examine(initial, final, tolerance, &t, &x);
   if (status != CHS_OK) return status;
-  if (!(by_rodrigues && rodrigues(&t, &q) && well_shaped(&t) && plain(&t, &q))) laub_shiflett(&t, &q);
+  if (!(by_rodrigues && clear_rodrigues(&t, &q))) laub_shiflett(&t, &q);
   return finish(initial, final, tolerance, &t, &x, &q, out, T);
 }
 
@@ -267,3 +297,144 @@ int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real
 int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
   return solve(initial, final, tolerance, 0, out, T);
 }
+
+int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9], real tolerance, int *order) {
+  triangles t;
+  examination x;
+  quaternion q;
+  int status = FN(chs_motion_bottema_roth)(initial, final, tolerance, NULL, NULL);
+  if (status < 0) return status;
+  read_sides(initial, final, &t);
+  read_centers(initial, final, &t);
+  if (examine(initial, final, tolerance, &t, &x) != CHS_OK || !clear_rodrigues(&t, &q)) {
+    *order = -1;
+    return status;
+  }
+  real a[3], b[3], c[3];
+  subtract(t.af, t.a, a);
+  subtract(t.cf, t.c, c);
+  copy(a, 3, b);
+  add_to(b, c);
+  real first = dot(a, a), second = dot(b, b), third = dot(c, c);
+  *order = third > larger(first, second) ? 2 : second > first;
+  return status;
+}
+
+/* Eq. 28 to 30: each row r of R takes the sides to a component of what they became and has length 1, so that it is known
+ * but for the sign of its part along the normal: eight matrices. With that part for the unknown, rather than a
+ * coordinate, the quadratic has no linear term and nothing (E) can vanish.
+ * All eight take the three points to where they are. Only a fourth one, off the plane, tells them apart: the end of the
+ * normal leaves the smallest residual where each row has the sign of a component of af x cf. A row that is all but
+ * parallel to the plane has half of its digits in the root, and so its part along the normal comes from the others, that
+ * is from eq. 5b. */
+static void beggs(const triangles *t, quaternion *q) {
+  real a[3], c[3], n[3], Nf[3], R[9], squared[3], along[3];
+  dual_basis(t, a, c, n);
+  cross(t->af, t->cf, Nf);
+  real scale = K(1.0) / SQRT(dot(n, n)); /* |a x c|, for n = a x c / |a x c|^2 */
+  int best = ABS(Nf[1]) > ABS(Nf[0]);
+  best = ABS(Nf[2]) > ABS(Nf[best]) ? 2 : best;
+  for (int i = 0; i < 3; i++) {
+    real row[3];
+    for (int j = 0; j < 3; j++) row[j] = t->af[i] * a[j] + t->cf[i] * c[j];
+    squared[i] = K(1.0) - dot(row, row);
+  }
+  real other = squared[best] > 0 ? SQRT(squared[best]) / ABS(Nf[best]) : K(0.0);
+  for (int i = 0; i < 3; i++) {
+    along[i] = scale * other * Nf[i];
+    if (squared[i] >= K(0.25)) along[i] = Nf[i] < 0 ? -scale * SQRT(squared[i]) : scale * SQRT(squared[i]);
+  }
+  sum_of_products(t->af, a, t->cf, c, along, n, R);
+  *q = quaternion_of(R);
+}
+
+/* A triangle in its own plane: the frame f1 along a, f2, f3 normal to the plane, and in it a = (l, 0), c = (u, h). */
+typedef struct flat {
+  real f1[3], f2[3], f3[3], l, u, h;
+} flat;
+
+static void flatten(const real a[3], const real c[3], flat *f) {
+  cross(a, c, f->f3);
+  real l = SQRT(dot(a, a)), n = SQRT(dot(f->f3, f->f3));
+  copy(a, 3, f->f1);
+  multiply_by(K(1.0) / l, f->f1);
+  multiply_by(K(1.0) / n, f->f3);
+  cross(f->f3, f->f1, f->f2);
+  f->l = l;
+  f->u = dot(a, c) / l;
+  f->h = n / l;
+}
+
+/* The rotation that takes the first frame to the second and then turns by the angle of (x, y) in its plane. */
+static void between_planes(const flat *f, const flat *g, real x, real y, quaternion *q) {
+  real g1[3], g2[3], R[9], length = SQRT(x * x + y * y);
+  x /= length;
+  y /= length;
+  for (int i = 0; i < 3; i++) {
+    g1[i] = x * g->f1[i] + y * g->f2[i];
+    g2[i] = x * g->f2[i] - y * g->f1[i];
+  }
+  sum_of_products(g1, f->f1, g2, f->f2, g->f3, f->f3, R);
+  *q = quaternion_of(R);
+}
+
+/* The turn in the plane that leaves the least sum of squares: sums over the sides of dot and of cross products. */
+static void least_squares_turn(const flat *f, const flat *g, real *x, real *y) {
+  *x = K(2.0) * (f->l * g->l + f->u * g->u + f->h * g->h) + (f->l * g->u + f->u * g->l);
+  *y = K(2.0) * (f->u * g->h - f->h * g->u) + (f->l * g->h - f->h * g->l);
+}
+
+/* Eq. 14 to 16. M takes the plane of the initial points to that of the final ones, and [m1/d11 m2/d22 ...] V^T is its
+ * orthogonal factor: in frames of the two planes that is a turn, without eigenvectors, equal d or division by a small
+ * one. With both normals on the side from which the points go round alike det M > 0, so that it is never a reflection. */
+static void spoor_veldpaus(const triangles *t, quaternion *q) {
+  flat f, g;
+  real x, y;
+  flatten(t->a, t->c, &f);
+  flatten(t->af, t->cf, &g);
+  least_squares_turn(&f, &g, &x, &y);
+  between_planes(&f, &g, x, y, q);
+}
+
+/* Twice the sum of the squares of the sides as complex numbers, (x, y): its angle is twice that of the principal axis,
+ * and its length the difference of the moments, of which the return value is the sum. */
+static real moments(const flat *f, real *x, real *y) {
+  real ll = f->l * f->l + f->l * f->u + f->u * f->u, hh = f->h * f->h;
+  *x = ll - hh;
+  *y = f->h * (f->l + K(2.0) * f->u);
+  return ll + hh;
+}
+
+/* Eq. 6 to 8. The normal of the plane is one principal axis; the other two turn in it by half the angle between the
+ * moments before and after. Of the two turns that leaves, the smaller matches the axes to the points. Moments that are
+ * equal, or nearly, leave the axes free: those are then taken that fit the points best. */
+static void angeles(const triangles *t, quaternion *q) {
+  flat f, g;
+  real x, y, xf, yf;
+  flatten(t->a, t->c, &f);
+  flatten(t->af, t->cf, &g);
+  real sum = moments(&f, &x, &y), sum_f = moments(&g, &xf, &yf), square = x * x + y * y, square_f = xf * xf + yf * yf;
+  if (K(16.0) * square < sum * sum || K(16.0) * square_f < sum_f * sum_f)
+    least_squares_turn(&f, &g, &x, &y);
+  else {
+    real cosine = x * xf + y * yf;
+    y = x * yf - y * xf;
+    x = cosine + SQRT(square * square_f);
+  }
+  between_planes(&f, &g, x, y, q);
+}
+
+#define METHOD(name)                                                                                              \
+  int FN(chs_motion_##name)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) { \
+    triangles t;                                                                                                  \
+    examination x;                                                                                                \
+    quaternion q;                                                                                                 \
+    int status = read_triangles(initial, final, tolerance, &t, &x);                                               \
+    if (status != CHS_OK) return status;                                                                          \
+    name(&t, &q);                                                                                                 \
+    return finish(initial, final, tolerance, &t, &x, &q, out, T);                                                 \
+  }
+
+METHOD(angeles)
+METHOD(spoor_veldpaus)
+METHOD(beggs)

@@ -25,6 +25,13 @@ static inline void subtract(const real a[3], const real b[3], real c[3]) {
   c[2] = a[2] - b[2];
 }
 
+/* a *= x. */
+static inline void multiply_by(real x, real a[3]) {
+  a[0] *= x;
+  a[1] *= x;
+  a[2] *= x;
+}
+
 /* c += a. */
 static inline void add_to(real c[3], const real a[3]) {
   c[0] += a[0];

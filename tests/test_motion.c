@@ -1,8 +1,11 @@
 #include "support/suite.h"
 
-#define FUNCTIONS(PLAIN, CHECKED)                                                               \
-  CHECKED(motion_bottema_roth, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1])) \
-  CHECKED(motion_laub_shiflett, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1]))
+#define FUNCTIONS(PLAIN, CHECKED)                                                                 \
+  CHECKED(motion_bottema_roth, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1]))   \
+  CHECKED(motion_laub_shiflett, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1]))  \
+  CHECKED(motion_angeles, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1]))        \
+  CHECKED(motion_spoor_veldpaus, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1])) \
+  CHECKED(motion_beggs, "PFt", "ST", (in[0], in[1], in[2][0], SCREW_AT(out[0]), out[1]))
 
 DEFINE_FUNCTIONS(FUNCTIONS)
 DEFINE_CONTRACT_TESTS()
@@ -23,7 +26,9 @@ typedef struct solver {
         CHS_EPS_MOTION_##NAME##_POSITION                                                                      \
   }
 
-static const solver solvers[] = {SOLVER(bottema_roth, BOTTEMA_ROTH), SOLVER(laub_shiflett, LAUB_SHIFLETT)};
+static const solver solvers[] = {SOLVER(bottema_roth, BOTTEMA_ROTH), SOLVER(laub_shiflett, LAUB_SHIFLETT),
+                                 SOLVER(angeles, ANGELES), SOLVER(spoor_veldpaus, SPOOR_VELDPAUS),
+                                 SOLVER(beggs, BEGGS)};
 
 static const real tolerance = K(0.001);
 
@@ -121,7 +126,7 @@ static void assert_solution(const solver *m, const displacement *d, const real i
                          by.kappa * (by.rho / sine + by.travel / (sine * sine)));
 }
 
-/* Both solvers find the displacement. */
+/* All solvers find the displacement. */
 static void assert_found(const displacement *d) {
   real initial[9], final[9], T[16];
   points_of(d, initial, final);
@@ -367,7 +372,7 @@ static void test_in_another_frame_the_displacement_is_conjugated(void) {
 /* Points as they come, their images rounded: the pose that moved them is found by both. */
 static void test_solvers_find_the_pose_that_moved_the_points(void) {
   for (int k = 0; k < CASES; k++) {
-    real initial[9], final[9], T[16], R[9], p[3], expected[9], w[3], image[3], found[2][16];
+    real initial[9], final[9], T[16], R[9], p[3], expected[9], w[3], image[3], found[LENGTH(solvers)][16];
     double theta = k % 2 ? uniform(0.1, 3) : random_angle(k / 2);
     do random_vector(1, initial), random_vector(1, initial + 3), random_vector(1, initial + 6);
     while (scales_of(initial, initial).kappa > 5);
@@ -495,6 +500,147 @@ static void test_laub_shiflett_sees_growth_without_rotation_as_a_translation(voi
   TEST_ASSERT_TRUE(s.angle == 0);
 }
 
+/* A flat triangle whose middle point is all but on the longest side, and an axis near that side: what a pair of a side
+ * and the plane's normal, or of two sides, tells about the rotation is worth k^1.5 or k^2 there. */
+static void test_solvers_lose_no_more_on_flat_triangles_that_turn_near_their_longest_side(void) {
+  for (int k = 0; k < CASES; k++) {
+    displacement d;
+    do {
+      int along[3] = {integer(-9, 9), integer(-9, 9), 10}, length = PICK(1000, 10);
+      d.unit = 1;
+      for (int i = 0; i < 3; i++) {
+        d.x[0][i] = 0;
+        d.x[1][i] = 2 * length * along[i];
+        d.x[2][i] = length * along[i] + integer(-2, 2);
+        d.t[i] = integer(-300, 300);
+        d.q.v[i] = along[i] + integer(-2, 2);
+      }
+      d.q = turn_of(integer(1, 40), d.q.v[0], d.q.v[1], d.q.v[2]);
+    } while (collinear(&d) || condition_of(&d) > PICK(1e6, 1e2));
+    assert_found(&d);
+  }
+}
+
+static void test_solvers_find_turns_about_coordinate_axes_of_triangles_in_coordinate_planes(void) {
+  for (int k = 0; k < CASES; k++) {
+    displacement d = random_displacement(integer(0, 5));
+    int v[3] = {0, 0, 0};
+    v[k % 3] = integer(1, 5);
+    d.q = turn_of(d.q.w, v[0], v[1], v[2]);
+    for (int m = 0; m < 3; m++) d.x[m][(k / 3) % 3] = 7;
+    if (!collinear(&d) && condition_of(&d) < 20) assert_found(&d);
+  }
+}
+
+/* With noise of a known size, in the coordinates of both positions. */
+static void add_noise(double size, real points[9]) {
+  for (int i = 0; i < 9; i++) points[i] = rounded((double)points[i] + uniform(-size, size));
+}
+
+static double sum_of_squares(const real T[16], const real initial[9], const real final[9]) {
+  double sum = 0;
+  for (int m = 0; m < 9; m += 3)
+    for (int i = 0; i < 3; i++) {
+      double image = (double)T[4 * i + 3];
+      for (int j = 0; j < 3; j++) image += (double)T[4 * i + j] * (double)initial[m + j];
+      sum += pow(image - (double) final[m + i], 2);
+    }
+  return sum;
+}
+
+/* No other turn about the centroid, by a little in any direction, leaves less. */
+static void test_spoor_veldpaus_leaves_the_least_sum_of_squares(void) {
+  for (int k = 0; k < CASES; k++) {
+    displacement d = random_displacement(integer(0, 5));
+    real initial[9], final[9], T[16], turned[16], R[9], p[3], w[3], W[9], center[3];
+    points_of(&d, initial, final);
+    const double size = length_of(initial, 9);
+    add_noise(0.01 * size, final);
+    if (FN(chs_motion_spoor_veldpaus)(initial, final, 1, NULL, T) < 0) continue;
+    const double least = sum_of_squares(T, initial, final);
+    FN(chs_se3_to_parts)(T, R, p);
+    for (int i = 0; i < 3; i++)
+      center[i] = rounded(((double) final[i] + (double) final[3 + i] + (double) final[6 + i]) / 3);
+    for (int i = 0; i < 6; i++) {
+      set(w, 0, 0, 0);
+      w[i / 2] = rounded(i % 2 ? 0.01 : -0.01);
+      FN(chs_so3_exp)(w, W);
+      product_of(W, R, 3, 3, turned);
+      real moved[9], offset[3], shift[3];
+      memcpy(moved, turned, sizeof moved);
+      for (int j = 0; j < 3; j++) offset[j] = rounded((double)p[j] - (double)center[j]);
+      product_of(W, offset, 3, 1, shift);
+      for (int j = 0; j < 3; j++) shift[j] = rounded((double)shift[j] + (double)center[j]);
+      FN(chs_se3_from_parts)(moved, shift, turned);
+      TEST_ASSERT_TRUE(sum_of_squares(turned, initial, final) > least);
+    }
+  }
+}
+
+static void test_equal_moments_leave_angeles_the_turn_that_fits_best(void) {
+  for (int k = 0; k < CASES; k++) {
+    displacement d = random_displacement(integer(1, 5));
+    for (int m = 0; m < 3; m++)
+      for (int i = 0; i < 3; i++) d.x[m][i] = 5 * (m == i);
+    real initial[9], final[9], T[16], expected[16];
+    points_of(&d, initial, final);
+    add_noise(0.01 * length_of(initial, 3), final);
+    ASSERT_STATUS(CHS_OK, FN(chs_motion_spoor_veldpaus)(initial, final, K(0.1), NULL, expected));
+    ASSERT_STATUS(CHS_OK, FN(chs_motion_angeles)(initial, final, K(0.1), NULL, T));
+    ASSERT_SAME_BITS(expected, T, 16);
+  }
+}
+
+/* Noise of a thousandth of the triangle moves no solver's answer by more than its condition number times that, or four
+ * times where Bottema & Roth have the axis at 14.5 degrees to the plane. */
+static void test_noise_is_not_magnified_beyond_the_condition_number(void) {
+  for (int k = 0; k < CASES; k++) {
+    displacement d = random_displacement(integer(0, 5));
+    real initial[9], final[9], T[16], R[9], p[3], expected[9];
+    points_of(&d, initial, final);
+    const double kappa = scales_of(initial, final).kappa;
+    real side[3];
+    double longest = 0;
+    for (int m = 0; m < 3; m++) {
+      side_of(initial, m, side);
+      longest = fmax(longest, length_of(side, 3));
+    }
+    add_noise(0.001 * longest, initial);
+    add_noise(0.001 * longest, final);
+    turn_matrix(&d.q, expected);
+    for (int m = 0; m < LENGTH(solvers); m++) {
+      subject = solvers[m].name;
+      TEST_ASSERT_GREATER_OR_EQUAL(0, solvers[m].solve(initial, final, K(0.02), NULL, T));
+      FN(chs_se3_to_parts)(T, R, p);
+      ASSERT_ENTRIES_WITHIN_EPS(expected, R, 9, 32 * 0.001 / EPS, kappa);
+    }
+  }
+}
+
+static void test_the_order_of_bottema_roth_is_that_of_the_side_that_turns_most(void) {
+  /* A quarter turn about z; the sides from point 0, 1 and 2 turn by their part in the plane. */
+  const struct {
+    int order;
+    real initial[9], final[9];
+  } cases[] = {
+      {0, {0, 0, 0, 4, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 4, 0, -1, 1, 1}},
+      {1, {1, 1, 1, 0, 0, 0, 4, 0, 0}, {-1, 1, 1, 0, 0, 0, 0, 4, 0}},
+      {2, {4, 0, 0, 1, 1, 1, 0, 0, 0}, {0, 4, 0, -1, 1, 1, 0, 0, 0}},
+      {-1, {0, 0, 0, 0, 0, 4, 1, 0, 0}, {0, 0, 0, 0, 0, 4, 0, 1, 0}}, /* the axis lies in the plane */
+      {-1, {0, 0, 0, 4, 0, 0, 4, 1, 1}, {0, 0, 1, 4, 0, 1, 4, 1, 2}}, /* no rotation */
+  };
+  for (int k = 0; k < LENGTH(cases); k++) {
+    int order = 7;
+    TEST_ASSERT_GREATER_OR_EQUAL(
+        0, FN(chs_motion_bottema_roth_order)(cases[k].initial, cases[k].final, tolerance, &order));
+    TEST_ASSERT_EQUAL_INT(cases[k].order, order);
+  }
+  int order = 7;
+  ASSERT_STATUS(CHS_ERR_NOT_RIGID,
+                FN(chs_motion_bottema_roth_order)(cases[0].initial, cases[3].final, tolerance, &order));
+  TEST_ASSERT_EQUAL_INT(7, order);
+}
+
 static void test_outputs_may_be_left_out(void) {
   displacement turning = random_displacement(2), sliding = random_displacement(1);
   sliding.q = turn_of(1, 0, 0, 0);
@@ -513,7 +659,7 @@ static void test_outputs_may_be_left_out(void) {
     }
 }
 
-static void assert_both_refuse(int status, const real initial[9], const real final[9], real allowed) {
+static void assert_all_refuse(int status, const real initial[9], const real final[9], real allowed) {
   for (int m = 0; m < LENGTH(solvers); m++) {
     struct {
       screw s;
@@ -545,16 +691,16 @@ static void test_degenerate_triangles_are_refused_wherever_they_are(void) {
       real points[9], other[9];
       scaled((double)scale_list[n], bad[k].points, 9, points);
       scaled((double)scale_list[n], good, 9, other);
-      assert_both_refuse(bad[k].status, points, points, tolerance);
-      assert_both_refuse(bad[k].status, points, other, tolerance);
-      assert_both_refuse(bad[k].status, other, points, tolerance);
+      assert_all_refuse(bad[k].status, points, points, tolerance);
+      assert_all_refuse(bad[k].status, points, other, tolerance);
+      assert_all_refuse(bad[k].status, other, points, tolerance);
     }
 }
 
 static void test_the_worst_of_several_faults_is_named(void) {
   const real coincident[9] = {1, 2, 3, 1, 2, 3, 0, 0, 1}, collinear[9] = {0, 0, 0, 1, 2, 3, 2, 4, 6};
-  assert_both_refuse(CHS_ERR_COINCIDENT, coincident, collinear, tolerance);
-  assert_both_refuse(CHS_ERR_COLLINEAR, collinear, coincident, tolerance);
+  assert_all_refuse(CHS_ERR_COINCIDENT, coincident, collinear, tolerance);
+  assert_all_refuse(CHS_ERR_COLLINEAR, collinear, coincident, tolerance);
 }
 
 /* A quarter turn about z; two sides grow, their squares by 4.25, and the square of the longest is 32. */
@@ -566,9 +712,9 @@ static void test_sides_may_differ_by_the_tolerance_and_no_more(void) {
     subject = solvers[m].name;
     ASSERT_STATUS(CHS_OK, solvers[m].solve(initial, final, allowed, &s, NULL));
   }
-  assert_both_refuse(CHS_ERR_NOT_RIGID, initial, final, NEXT_AFTER(allowed, 0));
-  assert_both_refuse(CHS_ERR_NOT_RIGID, initial, final, 0);
-  assert_both_refuse(CHS_ERR_NOT_RIGID, initial, final, (real)NAN);
+  assert_all_refuse(CHS_ERR_NOT_RIGID, initial, final, NEXT_AFTER(allowed, 0));
+  assert_all_refuse(CHS_ERR_NOT_RIGID, initial, final, 0);
+  assert_all_refuse(CHS_ERR_NOT_RIGID, initial, final, (real)NAN);
 }
 
 static void test_each_side_counts_against_the_tolerance(void) {
@@ -578,8 +724,8 @@ static void test_each_side_counts_against_the_tolerance(void) {
       real final[9];
       memcpy(final, initial, sizeof final);
       final[k] += K(0.25) * (real)sign;
-      assert_both_refuse(CHS_ERR_NOT_RIGID, initial, final, tolerance);
-      assert_both_refuse(CHS_ERR_NOT_RIGID, final, initial, tolerance);
+      assert_all_refuse(CHS_ERR_NOT_RIGID, initial, final, tolerance);
+      assert_all_refuse(CHS_ERR_NOT_RIGID, final, initial, tolerance);
     }
 }
 
@@ -589,8 +735,8 @@ static void test_points_too_far_apart_are_an_overflow(void) {
   real back[9];
   scaled(-1, there, 6, back);
   for (int i = 6; i < 9; i++) back[i] = -there[i];
-  assert_both_refuse(CHS_ERR_OVERFLOW, initial, initial, tolerance);
-  assert_both_refuse(CHS_ERR_OVERFLOW, there, back, tolerance);
+  assert_all_refuse(CHS_ERR_OVERFLOW, initial, initial, tolerance);
+  assert_all_refuse(CHS_ERR_OVERFLOW, there, back, tolerance);
 }
 
 static void test_triangles_that_lose_half_of_the_digits_are_called_ill_conditioned(void) {
@@ -651,6 +797,12 @@ int main(void) {
   RUN_TEST(test_no_motion_is_the_identity);
   RUN_TEST(test_a_body_at_rest_with_one_coordinate_off_has_not_moved_far);
   RUN_TEST(test_laub_shiflett_sees_growth_without_rotation_as_a_translation);
+  RUN_TEST(test_solvers_lose_no_more_on_flat_triangles_that_turn_near_their_longest_side);
+  RUN_TEST(test_solvers_find_turns_about_coordinate_axes_of_triangles_in_coordinate_planes);
+  RUN_TEST(test_spoor_veldpaus_leaves_the_least_sum_of_squares);
+  RUN_TEST(test_equal_moments_leave_angeles_the_turn_that_fits_best);
+  RUN_TEST(test_noise_is_not_magnified_beyond_the_condition_number);
+  RUN_TEST(test_the_order_of_bottema_roth_is_that_of_the_side_that_turns_most);
   RUN_TEST(test_outputs_may_be_left_out);
   RUN_TEST(test_degenerate_triangles_are_refused_wherever_they_are);
   RUN_TEST(test_the_worst_of_several_faults_is_named);

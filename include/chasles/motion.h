@@ -1,4 +1,4 @@
-/* chasles/motion.h - the displacement of a body from three of its points (Fenton & Shi 1990).
+/* chasles/motion.h - the displacement of a body from three of its points, by five methods (Fenton & Shi 1990).
  *
  * chasles.h has the conventions that all headers share.
  */
@@ -12,8 +12,9 @@
 extern "C" {
 #endif
 
-/* Two methods for the same task. Bottema & Roth is the faster; Laub & Shiflett is disturbed less by measuring errors,
- * above all where the body turns by little more than they do. Neither costs anything for an output left out.
+/* Five methods for the same task, of one interface: on points that move rigidly they give the same answer, and on
+ * measured ones the answer depends on the method. Bottema & Roth is the fastest, Laub & Shiflett next. An output left out
+ * costs nothing.
  *
  *   initial    three points before, [9], one point after the other.
  *   final      the same three points after, in the same order.
@@ -39,6 +40,21 @@ extern "C" {
  * their plane, so that [Pi] is never singular and a thin triangle of relative height h loses eps/h, not eps/h^2. With
  * sides a, c and the normal N = a x c before, a', c', N' after, that is R = (a' (c x N)^T + c' (N x a)^T + N' N^T) / N.N.
  * R is then made a rotation through its quaternion.
+ *
+ * Spoor & Veldpaus (eq. 14 to 16): the rotation that leaves the least sum of squared distances between the points and
+ * their images. For three points M is a 2 x 2 matrix between their two planes and the product of eq. 16 its orthogonal
+ * factor, written down without eigenvectors: neither equal nor vanishing d matter, and it is never a reflection.
+ *
+ * Angeles (eq. 6 to 8): R = Q2 Q1^T from the principal axes of the points' second moments before and after, the normal
+ * of the plane and two in the plane; which end of an axis is which is told by the points. Where the two moments in the
+ * plane differ by less than a quarter of their sum, as in an equilateral triangle, the axes say too little, and those are
+ * taken that fit the points best: the rotation is that of Spoor & Veldpaus.
+ *
+ * Beggs (eq. 28 to 30): each row of R from two linear equations and its length, by a quadratic whose unknown is the row's
+ * part along the normal N instead of a coordinate, so that no denominator (E) vanishes. All of the eight matrices take the
+ * three points to the same images; of these that one is taken which leaves the smallest residual on a fourth point off the
+ * plane, the end of N. A row whose part along N is below 1/2, and so lost in its root, gets it from the other rows by
+ * eq. 5b. R is made a rotation through its quaternion.
  *
  * Then u = e . D and A by eq. 10 and 24 at the centroid, which moves from C to C + D.
  *
@@ -69,6 +85,17 @@ int chs_motion_bottema_roth(const double initial[9], const double final[9], doub
 int chs_motion_bottema_rothf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw,
                              float T[16]);
 
+/* Which order of the points chs_motion_bottema_roth took, for the same arguments. The paper's rule is the order with the
+ * largest change of the side p3 - p2, so that eq. 23 stays away from 0/0.
+ *
+ *   order  k = 0, 1 or 2: the rule's p2 is initial point k, p3 the next one and p1 the last, in cyclic order. The answer
+ *          is the same in all three, to within rounding and the changes of the sides' lengths.
+ *          -1: none would do, and the rotation is that of Laub & Shiflett; or there is no rotation.
+ *
+ * Returns what chs_motion_bottema_roth returns. */
+int chs_motion_bottema_roth_order(const double initial[9], const double final[9], double tolerance, int *order);
+int chs_motion_bottema_roth_orderf(const float initial[9], const float final[9], float tolerance, int *order);
+
 #define CHS_EPS_MOTION_LAUB_SHIFLETT_AXIS 8.0
 #define CHS_EPS_MOTION_LAUB_SHIFLETT_POINT 8.0
 #define CHS_EPS_MOTION_LAUB_SHIFLETT_TRANSLATION 8.0
@@ -79,6 +106,36 @@ int chs_motion_laub_shiflett(const double initial[9], const double final[9], dou
                              double T[16]);
 int chs_motion_laub_shiflettf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw,
                               float T[16]);
+
+#define CHS_EPS_MOTION_ANGELES_AXIS 8.0
+#define CHS_EPS_MOTION_ANGELES_POINT 8.0
+#define CHS_EPS_MOTION_ANGELES_TRANSLATION 8.0
+#define CHS_EPS_MOTION_ANGELES_ANGLE 12.0
+#define CHS_EPS_MOTION_ANGELES_ROTATION 12.0
+#define CHS_EPS_MOTION_ANGELES_POSITION 12.0
+int chs_motion_angeles(const double initial[9], const double final[9], double tolerance, chs_screw *screw,
+                       double T[16]);
+int chs_motion_angelesf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw, float T[16]);
+
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_AXIS 8.0
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_POINT 8.0
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_TRANSLATION 8.0
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_ANGLE 8.0
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_ROTATION 8.0
+#define CHS_EPS_MOTION_SPOOR_VELDPAUS_POSITION 8.0
+int chs_motion_spoor_veldpaus(const double initial[9], const double final[9], double tolerance, chs_screw *screw,
+                              double T[16]);
+int chs_motion_spoor_veldpausf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw,
+                               float T[16]);
+
+#define CHS_EPS_MOTION_BEGGS_AXIS 8.0
+#define CHS_EPS_MOTION_BEGGS_POINT 8.0
+#define CHS_EPS_MOTION_BEGGS_TRANSLATION 8.0
+#define CHS_EPS_MOTION_BEGGS_ANGLE 8.0
+#define CHS_EPS_MOTION_BEGGS_ROTATION 8.0
+#define CHS_EPS_MOTION_BEGGS_POSITION 8.0
+int chs_motion_beggs(const double initial[9], const double final[9], double tolerance, chs_screw *screw, double T[16]);
+int chs_motion_beggsf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw, float T[16]);
 
 /* How well a displacement fits the points, lengths in the unit of the points. */
 typedef struct chs_motion_quality {

@@ -163,6 +163,13 @@ static int LOCAL(worst)(const REAL *in, REAL *out) {
   return LIB(tilt_worst)(LOCAL(eye), NULL, 3, in, in + 3, 2, 1, scratch, out, NULL);
 }
 
+static int LOCAL(order_of_points)(const REAL *in, REAL *out) {
+  int order;
+  const int status = LIB(motion_bottema_roth_order)(in, in + 9, in[18], &order);
+  if (status >= 0) *out = (REAL)order;
+  return status;
+}
+
 /* Plain algebra returns void: its status is always 0. */
 #define ALWAYS_OK(call) ((call), CHS_OK)
 

@@ -5,7 +5,7 @@ from mpmath import ldexp, mpf, pi, sin, sqrt
 import cases_screw
 import exact
 import sampling
-from displacement import METHODS, Displacement, Triangle, quaternion
+from displacement import METHODS, Displacement, Triangle, quaternion, side_turned_most
 from exact import add, apply, cross, dot, norm, subtract, times, unit
 from sampling import direction, magnitude, noise, pick, sign, uniform, vector
 from vectors import Band, Errors, Function, Group, Listed, Result, Unclear
@@ -62,6 +62,15 @@ def evaluate_points(method, fmt, points, moved, tolerance):
         mpf(0),
     ]
     return Result(found.screw() + pose, scales, statuses(fmt, found, kappa, rho / initial.longest, s))
+
+
+def evaluate_order(fmt, x):
+    points, moved = rows(x[0:9]), rows(x[9:18])
+    found = evaluate_points("motion_bottema_roth", fmt, points, moved, x[18])
+    order = side_turned_most(Triangle(points), Triangle(moved), fmt.eps)
+    if order is None:
+        raise Unclear
+    return Result([mpf(order)], [mpf(0)], found.statuses)
 
 
 def statuses(fmt, found, kappa, reach, s):
@@ -416,4 +425,13 @@ def bands(fmt, rng):
     return result + sampling.spoilt(examples(fmt)[0], range(0, 18))
 
 
+def order_bands(fmt, rng):
+    """Those in which rounding does not decide, and the errors."""
+    undecided = ("equilateral", "example")
+    return [band for band in bands(fmt, rng) if band.label not in undecided]
+
+
 FUNCTIONS = [Function(name, 19, GROUPS, evaluate(name), bands) for name in METHODS]
+FUNCTIONS.append(
+    Function("motion_bottema_roth_order", 19, [Group("order", "max", (0,))], evaluate_order, order_bands)
+)
