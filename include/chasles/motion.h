@@ -1,4 +1,4 @@
-/* chasles/motion.h - the displacement of a body from three of its points, by five methods (Fenton & Shi 1990).
+/* chasles/motion.h - the displacement of a body from three of its points, by five methods, or from more, by least squares.
  *
  * chasles.h has the conventions that all headers share.
  */
