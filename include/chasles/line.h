@@ -137,10 +137,10 @@ typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
  * errors are n times what is promised here: of directions and of the rotation absolutely, of moments and of the position
  * relative to r.
  * Returns CHS_OK; CHS_ERR_ARGUMENT; CHS_ERR_ANGLE_RANGE; CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for all numbers. */
-#define CHS_EPS_LINE_FROM_DH_DIRECTION 4.0
-#define CHS_EPS_LINE_FROM_DH_MOMENT 6.0
+#define CHS_EPS_LINE_FROM_DH_DIRECTION 3.0
+#define CHS_EPS_LINE_FROM_DH_MOMENT 4.0
 #define CHS_EPS_LINE_FROM_DH_ROTATION 4.0
-#define CHS_EPS_LINE_FROM_DH_POSITION 6.0
+#define CHS_EPS_LINE_FROM_DH_POSITION 4.0
 int chs_line_from_dh(int n, int convention, const double base[16], const double *dh, const double tool[16],
                      double *axes, double home[16]);
 int chs_line_from_dhf(int n, int convention, const float base[16], const float *dh, const float tool[16], float *axes,
@@ -170,7 +170,7 @@ int chs_line_from_dhf(int n, int convention, const float base[16], const float *
  *
  * What comes out gives the axes and the tool back by chs_line_from_dh. Let r be the largest of |m| and |p_home|, s the
  * smallest sine of neighbours that are not parallel, and k the largest of 1, 1/s and r over the smallest distance of
- * parallel neighbours: errors, n times what is promised here, are relative to k for angles and rotations and to k r for
+ * parallel neighbours: errors, n + 1 times what is promised here, are relative to k for angles and rotations and to k r for
  * lengths and positions.
  * Returns CHS_OK; CHS_PARALLEL or CHS_COINCIDENT, the latter if both, where some neighbours of the axes given are so;
  * CHS_ERR_ARGUMENT, also for a negative tolerance and directions that are not of unit length; CHS_ERR_OVERFLOW; what

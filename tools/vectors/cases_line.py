@@ -416,7 +416,7 @@ def evaluate_to_dh(modified):
         chain = dh.Chain(modified, lines, home, max(x[34], 8 * fmt.eps))
         rows, base, tool = chain.parameters()
         k = chain.condition()
-        scales = [mpf(JOINTS) * y for y in (k * chain.reach, k, k, k * chain.reach, 0)]
+        scales = [mpf(JOINTS + 1) * y for y in (k * chain.reach, k, k, k * chain.reach, 0)]
         outputs = [y for row in rows for y in row] + exact.pose_matrix(*base) + exact.pose_matrix(*tool)
         return Result(outputs, scales, (chain.status(),))
 
