@@ -19,9 +19,9 @@ static int reduce(real hi, real lo, real *r, real *r_lo) {
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine) {
   real r, r_lo;
   int odd = reduce(hi, lo, &r, &r_lo);
-  real h = r * r, sinc = sinc_kernel(h), c = cos_kernel(h);
-  real s = r * sinc + r_lo * c;
-  c = c - r_lo * r * sinc;
+  half_angle half = half_angle_within_pi(split_square_of(K(2.0) * r));
+  real s = K(2.0) * r * half.s, c = half.c - r_lo * s;
+  s = s + r_lo * half.c;
   *sine = odd ? -s : s;
   *cosine = odd ? -c : c;
 }
@@ -43,9 +43,10 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
 
   real sine;
   FN(chs_p_sin_cos)(K(0.5) * theta, K(0.5) * theta_lo, &sine, &half->c);
-  real s = sine / (K(0.5) * theta);
+  real s = sine / theta, cc = half->c * half->c;
   half->s = s - s * (theta_lo / theta);
-  half->s_lo = half->c_lo = 0;
+  half->ss = cc < K(0.5) ? (K(1.0) - cc) / tt.hi : half->s * half->s;
+  half->cubic = (K(1.0) - sine_ratio(*half)) / tt.hi;
   half->tt = tt.hi;
   return CHS_OK;
 }

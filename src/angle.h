@@ -13,49 +13,76 @@
 #define ANGLE_MAX CHS_ANGLE_MAX
 #endif
 
-/* Half the rotation angle of a rotation vector w, theta = |w|. Where the angle was reduced modulo 2 pi, s and c may
- * both carry the other sign: only s c, s s, c c and c / s are meant to be used. */
-typedef struct half_angle {
-  real s, s_lo; /* sin(theta/2) / (theta/2), and what rounding took from it */
-  real c, c_lo; /* cos(theta/2), likewise */
-  real tt;      /* theta^2 */
-} half_angle;
+/* The square of a number or the squared length of a vector, of up to 4, as head + rest. The head is that of the parts on
+ * a grid so coarse that not only their squares and the sum of them are exact, but also what is made of it below. */
+typedef struct split_square {
+  real head, rest;
+} split_square;
 
-/* Both are good for h = x^2 up to a little above (pi/2)^2. */
-static inline real sinc_kernel(real h) { return K(1.0) + h * CHS_SINC_REST(h); }
+static inline real on_grid(real x) { return (x + GRID) - GRID; }
 
-/* cos(x) less its head, 1 - h/2 rounded: half an eps at the end where cos is near 0. */
-static inline real cos_rest(real h) {
-  real half = K(0.5) * h, head = K(1.0) - half;
-  return ((K(1.0) - head) - half) + (h * h) * CHS_COS_REST(h);
+static inline split_square split_square_of(real x) {
+  real g = on_grid(x);
+  split_square square = {g * g, (x - g) * (x + g)};
+  return square;
 }
 
-static inline real cos_kernel(real h) { return (K(1.0) - K(0.5) * h) + cos_rest(h); }
+static inline split_square squared_length(const real w[3]) {
+  real x = on_grid(w[0]), y = on_grid(w[1]), z = on_grid(w[2]);
+  split_square square = {x * x + y * y + z * z,
+                         (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z)};
+  return square;
+}
 
-/* (theta - sin theta) / theta^3 for tt = theta^2 up to a little above pi^2. */
-static inline real cubic_kernel(real tt) { return CHS_CUBIC(tt); }
+/* What the exponentials need of a rotation by theta. Where the angle was reduced modulo 2 pi, s and c may both carry the
+ * other sign: only s c, s s, c c and c / s are meant to be used. */
+typedef struct half_angle {
+  real s;     /* sin(theta/2) / theta */
+  real c;     /* cos(theta/2) */
+  real ss;    /* s^2 */
+  real cubic; /* (theta - sin(theta)) / theta^3 */
+  real tt;    /* theta^2 */
+} half_angle;
 
-/* w.w rounded once for |w| up to 4: the parts on a coarse grid have exact squares with an exact sum. */
-static inline real squared_norm(const real w[3]) {
-  real x = (w[0] + GRID) - GRID, y = (w[1] + GRID) - GRID, z = (w[2] + GRID) - GRID;
-  real rest = (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z);
-  return (x * x + y * y + z * z) + rest;
+/* From theta^2 up to a little above pi^2. The heads of s = 1/2 - p t, of its square and of c = 1 - q t are exact, so that
+ * hardly more than the last rounding of each is lost. */
+static inline half_angle half_angle_within_pi(split_square square) {
+  half_angle half;
+  real head = square.head, rest = square.rest, t = head + rest, t2 = t * t, high = CHS_HIGH(t);
+  real s_low = CHS_SINC_LOW(t), s_high = CHS_SINC_HIGH(t), c_low = CHS_COSINE_LOW(t), c_high = CHS_COSINE_HIGH(t);
+  real s_head = K(0.5) - K(0.015625) * head, s_rest = (t * s_low - K(0.015625) * rest) + (t * high) * s_high;
+  real c_head = K(1.0) - K(0.125) * head, c_rest = (t2 * c_low - K(0.125) * rest) + (t2 * high) * c_high;
+  real p = K(0.015625) - (s_low + high * s_high), q = K(0.125) - t * (c_low + high * c_high);
+  half.s = s_head + s_rest;
+  half.c = c_head + c_rest;
+  half.ss = s_head * s_head + s_rest * ((s_head + s_head) + s_rest);
+  half.cubic = (K(2.0) * p + q) - K(2.0) * (t * p * q); /* (1 - 2 s c) / t */
+  half.tt = t;
+  return half;
 }
 
 /* Angles above pi, and everything that is not an angle: CHS_OK, CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
-int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half);
+SELDOM int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half);
+
+static inline int within_pi(split_square square) { return square.head + square.rest <= CHS_PI_A * CHS_PI_A; }
 
 static inline int half_angle_of(const real w[3], half_angle *half) {
-  real tt = squared_norm(w);
-  if (!(tt <= CHS_PI_A * CHS_PI_A)) return FN(chs_p_half_angle_beyond_pi)(w, half);
-  real h = K(0.25) * tt, s_rest = h * CHS_SINC_REST(h), c_head = K(1.0) - K(0.5) * h, c_rest = cos_rest(h);
-  half->s = K(1.0) + s_rest;
-  half->s_lo = (K(1.0) - half->s) + s_rest;
-  half->c = c_head + c_rest;
-  half->c_lo = (c_head - half->c) + c_rest;
-  half->tt = tt;
-  return CHS_OK;
+  split_square square = squared_length(w);
+  if (within_pi(square)) {
+    *half = half_angle_within_pi(square);
+    return CHS_OK;
+  }
+  half_angle beyond; /* apart, so that the ordinary case stays in registers */
+  int status = FN(chs_p_half_angle_beyond_pi)(w, &beyond);
+  if (status == CHS_OK) *half = beyond;
+  return status;
 }
+
+/* sin(theta)/theta, (1 - cos(theta))/theta^2, (theta - sin(theta))/theta^3 and (theta/2) cot(theta/2). */
+static inline real sine_ratio(half_angle h) { return (h.c + h.c) * h.s; }
+static inline real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
+static inline real cubic_ratio(half_angle h) { return h.cubic; }
+static inline real half_cotangent(half_angle h) { return K(0.5) * h.c / h.s; }
 
 /* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to twice CHS_ANGLE_MAX. */
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine);
@@ -74,14 +101,14 @@ static inline real cosine_of(real s, real c) {
 /* sin(q) and 1 - cos(q), by way of the half angle, which is in the kernels' range for |q| up to pi. False where q is no
  * angle or beyond ANGLE_MAX. */
 static inline int sine_and_versine(real q, real *sine, real *versine) {
-  real x = K(0.5) * q, s, c;
+  real s, c;
   if (ABS(q) <= CHS_PI_A) {
-    real h = x * x;
-    s = x * sinc_kernel(h);
-    c = cos_kernel(h);
+    half_angle half = half_angle_within_pi(split_square_of(q));
+    s = q * half.s;
+    c = half.c;
   } else {
     if (!(ABS(q) <= ANGLE_MAX)) return 0;
-    FN(chs_p_sin_cos)(x, 0, &s, &c);
+    FN(chs_p_sin_cos)(K(0.5) * q, 0, &s, &c);
   }
   *sine = K(2.0) * (s * c);
   *versine = versine_of(s, c);

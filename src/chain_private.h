@@ -64,7 +64,7 @@ static inline int turn_about(place *t, real ww, real q, const real S[6]) {
   if (!sine_and_versine(q, &sine, &versine)) return 0;
   for (int i = 0; i < 6; i++) s[i] = k * S[i];
   const real *w = s, *v = s + 3;
-  rotation_from(w, sine, versine, K(1.0) - versine, 0, E);
+  rotation_from(w, sine, K(0.5) * versine, K(1.0) - K(0.5) * versine, E);
   cross(w, v, wxv);
   real pitch = ABS(q) <= CHS_PI_A ? dot(w, v) : k * k * FN(chs_p_exact_pitch)(S), along = (q - sine) * pitch;
   for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);

@@ -1,99 +1,65 @@
 /* Written by tools/coefficients/generate.py; do not edit.
- * Polynomials by Horner's rule; constants as unevaluated sums A + B + C. */
+ * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated
+ * sums A + B + C. */
 #ifndef CHASLES_COEFFICIENTS_H
 #define CHASLES_COEFFICIENTS_H
 
 /* clang-format off */
+#define CHS_POWER_2(x) ((x) * (x))
+#define CHS_POWER_4(x) (CHS_POWER_2(x) * CHS_POWER_2(x))
+#define CHS_POWER_8(x) (CHS_POWER_4(x) * CHS_POWER_4(x))
 #ifndef CHS_SINGLE
-/* sin(sqrt h) / sqrt h = 1 + h CHS_SINC_REST(h)
-   on [0, 2.4699], relative error 0.0013 eps */
-#define CHS_SINC_REST(h) \
-  (-0x1.5555555555555p-3 + (h) * \
-  (0x1.11111111110c8p-7 + (h) * \
-  (-0x1.a01a01a014d6fp-13 + (h) * \
-  (0x1.71de3a52a0b13p-19 + (h) * \
-  (-0x1.ae6454d47422bp-26 + (h) * \
-  (0x1.6123cd0727932p-33 + (h) * \
-  (-0x1.ae438468a36c3p-41 + (h) * \
-  0x1.8832a74d6861bp-49)))))))
-/* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
-   on [0, 2.4699], absolute error 0.026 eps */
-#define CHS_COS_REST(h) \
-  (0x1.55555555554dcp-5 + (h) * \
-  (-0x1.6c16c16c10134p-10 + (h) * \
-  (0x1.a01a019b9f4dp-16 + (h) * \
-  (-0x1.27e4f9f11414ap-22 + (h) * \
-  (0x1.1eecfa4e75998p-29 + (h) * \
-  (-0x1.9357123473809p-37 + (h) * \
-  0x1.9fc3a43747942p-45))))))
-/* (x - sin x) / x^3 at x = sqrt t = CHS_CUBIC(t)
-   on [0, 9.8795], relative error 0.25 eps */
-#define CHS_CUBIC(t) \
-  (0x1.5555555555555p-3 + (t) * \
-  (-0x1.11111111110bbp-7 + (t) * \
-  (0x1.a01a01a01665fp-13 + (t) * \
-  (-0x1.71de3a547b539p-19 + (t) * \
-  (0x1.ae64563f80bf7p-26 + (t) * \
-  (-0x1.61245797243b3p-33 + (t) * \
-  (0x1.ae7d7ea7f38e9p-41 + (t) * \
-  (-0x1.94fb39c38b775p-49 + (t) * \
-  (0x1.2c1fb0f4dc04p-57 + (t) * \
-  -0x1.3b0a53b907f9dp-66)))))))))
-/* -d/dt (1 - cos x)/x^2 at x = sqrt t = CHS_COSINE_SLOPE(t)
+#define CHS_HIGH(x) CHS_POWER_4(x)
+/* sin(x/2) / x at x = sqrt t = 1/2 - t/64 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], relative error 0.0013 eps */
+#define CHS_SINC_LOW(t) \
+  ((-0x1.5555555555554p-8 + (t) * 0x1.11111111110c8p-12) + \
+   CHS_POWER_2(t) * (-0x1.a01a01a014d6fp-20 + (t) * 0x1.71de3a52a0b13p-28))
+#define CHS_SINC_HIGH(t) \
+  ((-0x1.ae6454d47422bp-37 + (t) * 0x1.6123cd0727932p-46) + \
+   CHS_POWER_2(t) * (-0x1.ae438468a36c3p-56 + (t) * 0x1.8832a74d6861bp-66))
+/* cos(x/2) at x = sqrt t = 1 - t/8 + t^2 P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
+   on [0, 9.8795], absolute error 0.026 eps */
+#define CHS_COSINE_LOW(t) \
+  ((0x1.55555555554dcp-9 + (t) * -0x1.6c16c16c10134p-16) + \
+   CHS_POWER_2(t) * (0x1.a01a019b9f4dp-24 + (t) * -0x1.27e4f9f11414ap-32))
+#define CHS_COSINE_HIGH(t) \
+  ((0x1.1eecfa4e75998p-41 + (t) * -0x1.9357123473809p-51) + \
+   CHS_POWER_2(t) * 0x1.9fc3a43747942p-61)
+/* -d/dt (1 - cos x)/x^2 at x = sqrt t = P, P = CHS_COSINE_SLOPE
    on [0, 9.8795], relative error 0.25 eps */
 #define CHS_COSINE_SLOPE(t) \
-  (0x1.5555555555555p-5 + (t) * \
-  (-0x1.6c16c16c16bcp-9 + (t) * \
-  (0x1.3813813811a92p-14 + (t) * \
-  (-0x1.27e4fb770c614p-20 + (t) * \
-  (0x1.66a8f29d5ff29p-27 + (t) * \
-  (-0x1.2eb17299776e6p-34 + (t) * \
-  (0x1.78ae554e0a74ap-42 + (t) * \
-  (-0x1.68098fdc281c8p-50 + (t) * \
-  (0x1.0ededbad66033p-58 + (t) * \
-  -0x1.2743c4519684ep-67)))))))))
-/* -d/dt (x - sin x)/x^3 at x = sqrt t = CHS_CUBIC_SLOPE(t)
+  ((((0x1.5555555555555p-5 + (t) * -0x1.6c16c16c16bcp-9) + \
+   CHS_POWER_2(t) * (0x1.3813813811a92p-14 + (t) * -0x1.27e4fb770c614p-20)) + \
+   CHS_POWER_4(t) * ((0x1.66a8f29d5ff29p-27 + (t) * -0x1.2eb17299776e6p-34) + \
+   CHS_POWER_2(t) * (0x1.78ae554e0a74ap-42 + (t) * -0x1.68098fdc281c8p-50))) + \
+   CHS_POWER_8(t) * (0x1.0ededbad66033p-58 + (t) * -0x1.2743c4519684ep-67))
+/* -d/dt (x - sin x)/x^3 at x = sqrt t = P, P = CHS_CUBIC_SLOPE
    on [0, 9.8795], relative error 0.063 eps */
 #define CHS_CUBIC_SLOPE(t) \
-  (0x1.1111111111111p-7 + (t) * \
-  (-0x1.a01a01a019ff7p-12 + (t) * \
-  (0x1.1566abc010979p-17 + (t) * \
-  (-0x1.ae64567eef031p-24 + (t) * \
-  (0x1.b96d796ddbdap-31 + (t) * \
-  (-0x1.42df6aa0ebdd5p-38 + (t) * \
-  (0x1.62861f8e1195ap-46 + (t) * \
-  (-0x1.2f32e8ce551cep-54 + (t) * \
-  (0x1.9cdeb50394df6p-63 + (t) * \
-  -0x1.9abde0cdc9bdcp-72)))))))))
-/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = CHS_COTANGENT_SLOPE(t)
+  ((((0x1.1111111111111p-7 + (t) * -0x1.a01a01a019ff7p-12) + \
+   CHS_POWER_2(t) * (0x1.1566abc010979p-17 + (t) * -0x1.ae64567eef031p-24)) + \
+   CHS_POWER_4(t) * ((0x1.b96d796ddbdap-31 + (t) * -0x1.42df6aa0ebdd5p-38) + \
+   CHS_POWER_2(t) * (0x1.62861f8e1195ap-46 + (t) * -0x1.2f32e8ce551cep-54))) + \
+   CHS_POWER_8(t) * (0x1.9cdeb50394df6p-63 + (t) * -0x1.9abde0cdc9bdcp-72))
+/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = P, P = CHS_COTANGENT_SLOPE
    on [0, 9.8795], relative error 0.17 eps */
 #define CHS_COTANGENT_SLOPE(t) \
-  (0x1.6c16c16c16c17p-9 + (t) * \
-  (-0x1.a01a01a01a095p-14 + (t) * \
-  (0x1.bbd7793353f39p-20 + (t) * \
-  (-0x1.1eed8f00d1218p-26 + (t) * \
-  (0x1.f87d1dd3159e7p-34 + (t) * \
-  (-0x1.42df86395c1aap-41 + (t) * \
-  (0x1.3b267f0da9fc2p-49 + (t) * \
-  (-0x1.e604f83a0ba81p-58 + (t) * \
-  (0x1.38797b5625f1cp-66 + (t) * \
-  -0x1.9bf378403eaacp-75)))))))))
-/* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
+  ((((0x1.6c16c16c16c17p-9 + (t) * -0x1.a01a01a01a095p-14) + \
+   CHS_POWER_2(t) * (0x1.bbd7793353f39p-20 + (t) * -0x1.1eed8f00d1218p-26)) + \
+   CHS_POWER_4(t) * ((0x1.f87d1dd3159e7p-34 + (t) * -0x1.42df86395c1aap-41) + \
+   CHS_POWER_2(t) * (0x1.3b267f0da9fc2p-49 + (t) * -0x1.e604f83a0ba81p-58))) + \
+   CHS_POWER_8(t) * (0x1.38797b5625f1cp-66 + (t) * -0x1.9bf378403eaacp-75))
+/* atan(sqrt u) / sqrt u = 1 + u P, P = CHS_ATAN_REST
    on [0, 0.25025], relative error 0.0011 eps */
 #define CHS_ATAN_REST(u) \
-  (-0x1.5555555555551p-2 + (u) * \
-  (0x1.9999999998ee6p-3 + (u) * \
-  (-0x1.2492492448454p-3 + (u) * \
-  (0x1.c71c71a6d1b2dp-4 + (u) * \
-  (-0x1.745d131b55e9ep-4 + (u) * \
-  (0x1.3b13588090fb8p-4 + (u) * \
-  (-0x1.110c0e0c4c13dp-4 + (u) * \
-  (0x1.e17c6f88ba72p-5 + (u) * \
-  (-0x1.ac4e55cf29514p-5 + (u) * \
-  (0x1.77710d4423171p-5 + (u) * \
-  (-0x1.2ec642fb960d2p-5 + (u) * \
-  (0x1.7fd13f4190e4p-6 + (u) * \
-  -0x1.0d5e2cf1020bdp-7))))))))))))
+  ((((-0x1.5555555555551p-2 + (u) * 0x1.9999999998ee6p-3) + \
+   CHS_POWER_2(u) * (-0x1.2492492448454p-3 + (u) * 0x1.c71c71a6d1b2dp-4)) + \
+   CHS_POWER_4(u) * ((-0x1.745d131b55e9ep-4 + (u) * 0x1.3b13588090fb8p-4) + \
+   CHS_POWER_2(u) * (-0x1.110c0e0c4c13dp-4 + (u) * 0x1.e17c6f88ba72p-5))) + \
+   CHS_POWER_8(u) * (((-0x1.ac4e55cf29514p-5 + (u) * 0x1.77710d4423171p-5) + \
+   CHS_POWER_2(u) * (-0x1.2ec642fb960d2p-5 + (u) * 0x1.7fd13f4190e4p-6)) + \
+   CHS_POWER_4(u) * -0x1.0d5e2cf1020bdp-7))
 #define CHS_PI_A 0x1.921fb54442d18p+1
 #define CHS_PI_B 0x1.1a62633145c07p-53
 #define CHS_PI_C -0x1.f1976b7ed8fbcp-109
@@ -102,67 +68,44 @@
 #define CHS_QUARTER_PI_A 0x1.921fb54442d18p-1
 #define CHS_QUARTER_PI_B 0x1.1a62633145c07p-55
 #else
-/* sin(sqrt h) / sqrt h = 1 + h CHS_SINC_REST(h)
-   on [0, 2.4699], relative error 0.0038 eps */
-#define CHS_SINC_REST(h) \
-  (-0x1.555556p-3F + (h) * \
-  (0x1.111136p-7F + (h) * \
-  (-0x1.a023ccp-13F + (h) * \
-  (0x1.72cddcp-19F + (h) * \
-  -0x1.b624aap-26F))))
-/* cos(sqrt h) = 1 - h/2 + h^2 CHS_COS_REST(h)
-   on [0, 2.4699], absolute error 0.0036 eps */
-#define CHS_COS_REST(h) \
-  (0x1.55555p-5F + (h) * \
-  (-0x1.6c14b8p-10F + (h) * \
-  (0x1.9f931cp-16F + (h) * \
-  -0x1.196acep-22F)))
-/* (x - sin x) / x^3 at x = sqrt t = CHS_CUBIC(t)
-   on [0, 9.8795], relative error 0.25 eps */
-#define CHS_CUBIC(t) \
-  (0x1.555556p-3F + (t) * \
-  (-0x1.111158p-7F + (t) * \
-  (0x1.a02d92p-13F + (t) * \
-  (-0x1.73de74p-19F + (t) * \
-  (0x1.de2b1p-26F + (t) * \
-  (-0x1.b8dcecp-32F + (t) * \
-  0x1.2d1342p-37F))))))
-/* -d/dt (1 - cos x)/x^2 at x = sqrt t = CHS_COSINE_SLOPE(t)
+#define CHS_HIGH(x) CHS_POWER_2(x)
+/* sin(x/2) / x at x = sqrt t = 1/2 - t/64 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], relative error 0.0012 eps */
+#define CHS_SINC_LOW(t) \
+  (-0x1.555556p-8F + (t) * 0x1.111118p-12F)
+#define CHS_SINC_HIGH(t) \
+  ((-0x1.a01af6p-20F + (t) * 0x1.71c56ap-28F) + \
+   CHS_POWER_2(t) * -0x1.a0b8d8p-37F)
+/* cos(x/2) at x = sqrt t = 1 - t/8 + t^2 P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
+   on [0, 9.8795], absolute error 0.0036 eps */
+#define CHS_COSINE_LOW(t) \
+  (0x1.55555p-9F + (t) * -0x1.6c14b8p-16F)
+#define CHS_COSINE_HIGH(t) \
+  (0x1.9f931cp-24F + (t) * -0x1.196acep-32F)
+/* -d/dt (1 - cos x)/x^2 at x = sqrt t = P, P = CHS_COSINE_SLOPE
    on [0, 9.8795], relative error 0.25 eps */
 #define CHS_COSINE_SLOPE(t) \
-  (0x1.555556p-5F + (t) * \
-  (-0x1.6c16eap-9F + (t) * \
-  (0x1.3816a2p-14F + (t) * \
-  (-0x1.280ae4p-20F + (t) * \
-  (0x1.6727ecp-27F + (t) * \
-  -0x1.19708ep-34F)))))
-/* -d/dt (x - sin x)/x^3 at x = sqrt t = CHS_CUBIC_SLOPE(t)
+  (((0x1.555556p-5F + (t) * -0x1.6c16eap-9F) + \
+   CHS_POWER_2(t) * (0x1.3816a2p-14F + (t) * -0x1.280ae4p-20F)) + \
+   CHS_POWER_4(t) * (0x1.6727ecp-27F + (t) * -0x1.19708ep-34F))
+/* -d/dt (x - sin x)/x^3 at x = sqrt t = P, P = CHS_CUBIC_SLOPE
    on [0, 9.8795], relative error 0.44 eps */
 #define CHS_CUBIC_SLOPE(t) \
-  (0x1.111112p-7F + (t) * \
-  (-0x1.a01a8ap-12F + (t) * \
-  (0x1.15736ep-17F + (t) * \
-  (-0x1.b01292p-24F + (t) * \
-  (0x1.d01316p-31F + (t) * \
-  -0x1.9f3336p-38F)))))
-/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = CHS_COTANGENT_SLOPE(t)
+  (((0x1.111112p-7F + (t) * -0x1.a01a8ap-12F) + \
+   CHS_POWER_2(t) * (0x1.15736ep-17F + (t) * -0x1.b01292p-24F)) + \
+   CHS_POWER_4(t) * (0x1.d01316p-31F + (t) * -0x1.9f3336p-38F))
+/* 4 (1 - cos x)/x^2 d/dt (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = P, P = CHS_COTANGENT_SLOPE
    on [0, 9.8795], relative error 0.2 eps */
 #define CHS_COTANGENT_SLOPE(t) \
-  (0x1.6c16c2p-9F + (t) * \
-  (-0x1.a01a58p-14F + (t) * \
-  (0x1.bbe7f4p-20F + (t) * \
-  (-0x1.2008d6p-26F + (t) * \
-  (0x1.0b939ap-33F + (t) * \
-  -0x1.caf58cp-41F)))))
-/* atan(sqrt u) / sqrt u = 1 + u CHS_ATAN_REST(u)
+  (((0x1.6c16c2p-9F + (t) * -0x1.a01a58p-14F) + \
+   CHS_POWER_2(t) * (0x1.bbe7f4p-20F + (t) * -0x1.2008d6p-26F)) + \
+   CHS_POWER_4(t) * (0x1.0b939ap-33F + (t) * -0x1.caf58cp-41F))
+/* atan(sqrt u) / sqrt u = 1 + u P, P = CHS_ATAN_REST
    on [0, 0.25025], relative error 0.0024 eps */
 #define CHS_ATAN_REST(u) \
-  (-0x1.555552p-2F + (u) * \
-  (0x1.999742p-3F + (u) * \
-  (-0x1.244ff6p-3F + (u) * \
-  (0x1.c06dccp-4F + (u) * \
-  (-0x1.47f982p-4F + (u) * \
-  0x1.3f98aap-5F)))))
+  (((-0x1.555552p-2F + (u) * 0x1.999742p-3F) + \
+   CHS_POWER_2(u) * (-0x1.244ff6p-3F + (u) * 0x1.c06dccp-4F)) + \
+   CHS_POWER_4(u) * (-0x1.47f982p-4F + (u) * 0x1.3f98aap-5F))
 #define CHS_PI_A 0x1.921fb6p+1F
 #define CHS_PI_B -0x1.777a5cp-24F
 #define CHS_PI_C -0x1.ee59dap-49F

@@ -48,8 +48,8 @@ typedef float real;
 #define OVERFLOWS 0x1p+50F
 #define ENLARGE 0x1p+90F
 #define REDUCE 0x1p-80F
-/* Adding and subtracting it rounds a number of at most 4 to a multiple of 2^-10, whose squares are exact. */
-#define GRID 0x1.8p+13F
+/* Adding and subtracting it rounds a number of at most 4 to a multiple of 2^-3; see split_square in angle.h. */
+#define GRID 0x1.8p+20F
 /* Adding and subtracting it rounds a number to an integer. */
 #define TO_INTEGER 0x1.8p+23F
 /* Times it, a number splits into two halves whose products are exact (Veltkamp). */
@@ -66,7 +66,7 @@ typedef double real;
 #define OVERFLOWS 0x1p+500
 #define ENLARGE 0x1p+600
 #define REDUCE 0x1p-600
-#define GRID 0x1.8p+28 /* multiples of 2^-24 */
+#define GRID 0x1.8p+42 /* multiples of 2^-10 */
 #define TO_INTEGER 0x1.8p+52
 #define SPLITTER 0x1.0000002p+27
 #endif

@@ -89,21 +89,19 @@ static inline quaternion quaternion_of(const real R[9]) {
   return q;
 }
 
-/* A sine times a component of a unit vector, which rounding may have made larger than 1. */
-static inline real within_one(real x) { return x > 1 ? K(1.0) : x < -1 ? K(-1.0) : x; }
-
-/* R = cos(theta) I + a [w] + b w w^T with a = sin(theta)/|w|, b = (1 - cos(theta))/|w|^2. A diagonal entry is 1 less
- * what the other two axes take away; where the cosine is below the limit given, it is cos(theta) plus its own axis'
- * share if that is the smaller. R may be w: all of w is read before R is written. */
-static inline void rotation_from(const real w[3], real a, real b, real cosine, real below, real R[9]) {
-  real bx = b * w[0], by = b * w[1], bz = b * w[2];
-  real xx = bx * w[0], yy = by * w[1], zz = bz * w[2];
+/* R = I + a [w] + 2 ss [w]^2 with a = sin(theta)/|w|, ss = (sin(theta/2)/|w|)^2 and cc = cos(theta/2)^2. The diagonal is
+ * cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may be
+ * w: all of w is read before R is written. */
+static inline void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
+  real kx = ss * w[0], ky = ss * w[1], kz = ss * w[2];
+  real xx = kx * w[0], yy = ky * w[1], zz = kz * w[2];
+  real bx = kx + kx, by = ky + ky;
   real xy = bx * w[1], xz = bx * w[2], yz = by * w[2];
-  real ax = within_one(a * w[0]), ay = within_one(a * w[1]), az = within_one(a * w[2]);
-  real middle = cosine < below ? K(0.5) * (K(1.0) - cosine) : K(0.0);
-  R[0] = xx < middle ? cosine + xx : K(1.0) - (yy + zz);
-  R[4] = yy < middle ? cosine + yy : K(1.0) - (xx + zz);
-  R[8] = zz < middle ? cosine + zz : K(1.0) - (xx + yy);
+  real ax = a * w[0], ay = a * w[1], az = a * w[2];
+  real common = cc - zz, difference = xx - yy;
+  R[0] = common + difference;
+  R[4] = common - difference;
+  R[8] = (cc + zz) - (xx + yy);
   R[1] = xy - az;
   R[3] = xy + az;
   R[2] = xz + ay;
@@ -112,30 +110,12 @@ static inline void rotation_from(const real w[3], real a, real b, real cosine, r
   R[7] = yz + ax;
 }
 
-/* sin(theta)/theta and (1 - cos(theta))/theta^2; the second from the cosine where that is the smaller half. */
-static inline real sine_ratio(half_angle h) { return h.s * h.c + (h.s * h.c_lo + h.s_lo * h.c); }
-
-/* cos(theta/2)^2 */
-static inline real squared_cosine(half_angle h) { return h.c * h.c + K(2.0) * (h.c * h.c_lo); }
-
-static inline real cosine_ratio(half_angle h) {
-  real cc = squared_cosine(h);
-  return cc < K(0.5) ? K(2.0) * (K(1.0) - cc) / h.tt : K(0.5) * (h.s * h.s + K(2.0) * (h.s * h.s_lo));
-}
-
-/* (theta - sin(theta))/theta^3 */
-static inline real cubic_ratio(half_angle h) {
-  return h.tt <= CHS_PI_A * CHS_PI_A ? cubic_kernel(h.tt) : (K(1.0) - sine_ratio(h)) / h.tt;
+static inline void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
+  rotation_from(w, sine_ratio(h), h.ss, h.c * h.c, R);
 }
 
 /* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */
 static inline real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
-
-/* A reduced angle gives a less exact b, which the cosine spares the sooner. */
-static inline void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
-  real below = h.tt <= CHS_PI_A * CHS_PI_A ? K(0.0) : K(0.25);
-  rotation_from(w, sine_ratio(h), cosine_ratio(h), K(2.0) * squared_cosine(h) - K(1.0), below, R);
-}
 
 /* The rotation of a quaternion of squared length nn. */
 static inline void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {

@@ -41,9 +41,9 @@ int FN(chs_screw_to_pose)(const screw *in, real T[16]) {
   real e[3], s, c, R[9], p[3], exA[3], exexA[3];
   unit(in->axis, e);
   FN(chs_p_sin_cos)(K(0.5) * in->angle, 0, &s, &c);
-  real sine = K(2.0) * s * c, versine = versine_of(s, c), ee = squared_norm(e);
+  real sine = K(2.0) * s * c, versine = versine_of(s, c), ee = dot(e, e);
   if (ee == 0) ee = 1; /* no axis and nothing to do about it */
-  rotation_from(e, sine / SQRT(ee), versine / ee, cosine_of(s, c), 0, R);
+  rotation_from(e, sine / SQRT(ee), K(0.5) * versine / ee, c * c, R);
   cross(e, in->point, exA);
   cross(e, exA, exexA);
   for (int i = 0; i < 3; i++) p[i] = in->translation * e[i] - (sine * exA[i] + versine * exexA[i]);

@@ -43,19 +43,31 @@ void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) {
   y[2] = c;
 }
 
-int FN(chs_se3_exp)(const real V[6], real T[16]) {
-  half_angle half;
-  int status = half_angle_of(V, &half);
-  if (status != CHS_OK) return finiteness(V, 6) == CHS_OK ? status : finiteness(V, 6);
+/* T = exp [V] given what there is to know about omega's angle. */
+static INLINE int exp_from_half_angle(const real V[6], half_angle half, real T[16]) {
   const real *w = V, *v = V + 3;
   real R[9], p[3], wxv[3];
   real a = sine_ratio(half), b = cosine_ratio(half), c = cubic_ratio(half) * dot(w, v);
   cross(w, v, wxv);
-  for (int i = 0; i < 3; i++) p[i] = a * v[i] + (b * wxv[i] + c * w[i]);
+  p[0] = a * v[0] + (b * wxv[0] + c * w[0]);
+  p[1] = a * v[1] + (b * wxv[1] + c * w[1]);
+  p[2] = a * v[2] + (b * wxv[2] + c * w[2]);
   if (!all_finite(p, 3)) return why_not_finite(V, 6);
   rotation_from_half_angle(w, half, R);
   join(R, p, T);
   return CHS_OK;
+}
+
+SELDOM static int exp_beyond_pi(const real V[6], real T[16]) {
+  half_angle half;
+  int status = FN(chs_p_half_angle_beyond_pi)(V, &half);
+  if (status == CHS_OK) return exp_from_half_angle(V, half, T);
+  return finiteness(V, 6) == CHS_OK ? status : finiteness(V, 6);
+}
+
+int FN(chs_se3_exp)(const real V[6], real T[16]) {
+  split_square square = squared_length(V);
+  return within_pi(square) ? exp_from_half_angle(V, half_angle_within_pi(square), T) : exp_beyond_pi(V, T);
 }
 
 int FN(chs_se3_log)(const real T[16], real V[6]) {

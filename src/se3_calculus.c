@@ -215,7 +215,7 @@ static void coupling(const real w[3], const real v[3], real side, half_angle h, 
 static void inverse_coupling(const real w[3], const real v[3], real side, half_angle h, real P[9]) {
   int within = h.tt <= CHS_PI_A * CHS_PI_A;
   real b = cosine_ratio(h), k_slope = -cubic_ratio(h) / (K(4.0) * b), wv = dot(w, v), x[3], y[3];
-  real d = within ? CHS_COSINE_SLOPE(h.tt) / b : cotangent_ratio(h.c / h.s, h.tt);
+  real d = within ? CHS_COSINE_SLOPE(h.tt) / b : cotangent_ratio(half_cotangent(h), h.tt);
   real d_slope = within ? CHS_COTANGENT_SLOPE(h.tt) / (K(4.0) * b) : (-k_slope - d) / h.tt;
   for (int i = 0; i < 3; i++) {
     y[i] = side * K(-0.5) * v[i];
@@ -233,8 +233,8 @@ static int jacobian(const real V[6], int inverse, real side, real J[36]) {
     status = left ? FN(chs_so3_left_jacobian_inverse)(V, block) : FN(chs_so3_right_jacobian_inverse)(V, block);
   else
     status = left ? FN(chs_so3_left_jacobian)(V, block) : FN(chs_so3_right_jacobian)(V, block);
+  if (status == CHS_OK) status = half_angle_of(V, &half);
   if (status != CHS_OK) return finiteness(V, 6) == CHS_OK ? status : finiteness(V, 6);
-  half_angle_of(V, &half);
   if (inverse)
     inverse_coupling(V, V + 3, side, half, Q);
   else

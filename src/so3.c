@@ -24,11 +24,17 @@ void FN(chs_so3_vee)(const real W[9], real w[3]) {
   w[2] = z;
 }
 
-int FN(chs_so3_exp)(const real w[3], real R[9]) {
+SELDOM static int exp_beyond_pi(const real w[3], real R[9]) {
   half_angle half;
-  int status = half_angle_of(w, &half);
-  if (status != CHS_OK) return status;
-  rotation_from_half_angle(w, half, R);
+  int status = FN(chs_p_half_angle_beyond_pi)(w, &half);
+  if (status == CHS_OK) rotation_from_half_angle(w, half, R);
+  return status;
+}
+
+int FN(chs_so3_exp)(const real w[3], real R[9]) {
+  split_square square = squared_length(w);
+  if (!within_pi(square)) return exp_beyond_pi(w, R);
+  rotation_from_half_angle(w, half_angle_within_pi(square), R);
   return CHS_OK;
 }
 
@@ -69,11 +75,10 @@ static int jacobian_inverse(const real w[3], real side, real J[9]) {
   int status = half_angle_of(w, &half);
   if (status != CHS_OK) return status;
   /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
-  if (ABS(half.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
-  real k = half.c / half.s;
-  /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - 4 (theta - sin(theta))/theta^3) / (4 s c). */
-  real d = half.tt < 1 ? (half.s * half.s - K(4.0) * cubic_ratio(half)) / (K(4.0) * sine_ratio(half))
-                       : (K(1.0) - k) / half.tt;
+  if (ABS(half.s) <= K(4.0) * EPS) return CHS_ERR_SINGULAR;
+  real k = half_cotangent(half);
+  /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - (theta - sin(theta))/theta^3) / (2 s c). */
+  real d = half.tt < 1 ? (half.ss - cubic_ratio(half)) / sine_ratio(half) : (K(1.0) - k) / half.tt;
   jacobian_from(w, k, side * K(-0.5), d, J);
   return CHS_OK;
 }

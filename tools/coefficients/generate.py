@@ -2,11 +2,14 @@
 
     python3 tools/coefficients/generate.py [--check]
 
-Each kernel is a minimax polynomial in one variable x on [0, top], with its first coefficients pinned to the exact
-leading terms of the Taylor series. Coefficients are rounded to the format one by one, lowest order first, and those
+Each kernel is a minimax polynomial in one variable x on [0, top]. Its head, which the library adds to exactly, is given;
+what remains starts at some order, and its coefficients are rounded to the format one by one, lowest order first; those
 that are still free are fitted again after each rounding, so that they absorb its error. The bound written beside each
 polynomial is the largest weighted error of the rounded polynomial itself, in exact arithmetic, in eps of the format;
 rounding errors of its evaluation come on top and are covered by the functions' own promises.
+
+Polynomials are evaluated by Estrin's scheme, whose operations wait for one another the least, and those that take the
+longest in two halves, so that the library may put the last product where it waits for nothing.
 """
 
 import argparse
@@ -21,22 +24,14 @@ HEADER = pathlib.Path(__file__).resolve().parents[2] / "src" / "coefficients.h"
 GRID = 400
 
 
-def sinc(h):
-    """sin(sqrt h) / sqrt h"""
-    return sin(sqrt(h)) / sqrt(h) if h else mpf(1)
+def half_sinc(t):
+    """sin(x/2) / x at x = sqrt t"""
+    return sin(sqrt(t) / 2) / sqrt(t) if t else mpf(1) / 2
 
 
-def cosine(h):
-    """cos(sqrt h)"""
-    return cos(sqrt(h))
-
-
-def cubic(t):
-    """(x - sin x) / x^3 at x = sqrt t"""
-    if t < mpf(10) ** -12:
-        return mpf(1) / 6 - t / 120 + t * t / 5040
-    x = sqrt(t)
-    return (x - sin(x)) / x**3
+def half_cosine(t):
+    """cos(x/2) at x = sqrt t"""
+    return cos(sqrt(t) / 2)
 
 
 def power_series(coefficient, t):
@@ -65,18 +60,20 @@ def arctangent(u):
     return atan(sqrt(u)) / sqrt(u) if u else mpf(1)
 
 
-# The half angle runs to pi/2 and the angle to pi; 1e-3 more leaves room for the rounding of the comparisons that
-# choose the interval. "relative" divides the error by the function, "absolute" does not.
+# The angle runs to pi; 1e-3 more leaves room for the rounding of the comparisons that choose the interval. "relative"
+# divides the error by the function, "absolute" does not. A head of -1/64 leaves the least of sin(x/2)/x to the rest.
 SLACK = mpf("1.001")
+WITHIN_PI = SLACK * pi**2
+HALVES, WHOLE = (4, 2), (0, 0)
 KERNELS = [
-    # macro, function and its form (P is the macro), top, weight, pinned, degrees in double and float, coefficients left out
-    ("SINC_REST", sinc, "1 + h P", SLACK * (pi / 2) ** 2, "relative", [mpf(1)], 8, 5, 1),
-    ("COS_REST", cosine, "1 - h/2 + h^2 P", SLACK * (pi / 2) ** 2, "absolute", [mpf(1), mpf(-1) / 2], 8, 5, 2),
-    ("CUBIC", cubic, "P", SLACK * pi**2, "relative", [], 9, 6, 0),
-    ("COSINE_SLOPE", cosine_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
-    ("CUBIC_SLOPE", cubic_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
-    ("COTANGENT_SLOPE", cotangent_slope, "P", SLACK * pi**2, "relative", [], 9, 5, 0),
-    ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 13, 6, 1),
+    # macro, function and its form (P is the macro), top, weight, head, first order of P, degrees, and how many of P's
+    # coefficients make its lower half, the last two in double and float
+    ("SINC", half_sinc, "1/2 - t/64 + t P", WITHIN_PI, "relative", [mpf(1) / 2, mpf(-1) / 64], 1, (8, 5), HALVES),
+    ("COSINE", half_cosine, "1 - t/8 + t^2 P", WITHIN_PI, "absolute", [mpf(1), mpf(-1) / 8], 2, (8, 5), HALVES),
+    ("COSINE_SLOPE", cosine_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
+    ("CUBIC_SLOPE", cubic_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
+    ("COTANGENT_SLOPE", cotangent_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
+    ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 1, (13, 6), WHOLE),
 ]
 FORMATS = [("double", 53, ""), ("float", 24, "F")]
 
@@ -161,13 +158,16 @@ def alternating_extrema(grid, errors):
     return runs
 
 
-def fit(function, top, weight, pinned, degree, bits):
-    coefficients = [round_to(c, bits) for c in pinned]
-    while len(coefficients) <= degree:
-        coefficients.append(round_to(remez(function, weight, top, coefficients, degree)[len(coefficients)], bits))
+def fit(function, top, weight, head, first, degree, bits):
+    """The rounded coefficients from the first order on, to which the head is added, and the error of it all."""
+    whole, rest = head[:first], []
+    while len(whole) <= degree:
+        exact = head[len(whole)] if len(whole) < len(head) else mpf(0)
+        rest.append(round_to(remez(function, weight, top, whole, degree)[len(whole)] - exact, bits))
+        whole.append(exact + rest[-1])
     points = [top * k / 2000 for k in range(1, 2001)]
-    worst = max(abs((evaluate(coefficients, x) - function(x)) * weight(function(x))) for x in points)
-    return coefficients, worst * mpf(2) ** (bits - 1)
+    worst = max(abs((evaluate(whole, x) - function(x)) * weight(function(x))) for x in points)
+    return rest, worst * mpf(2) ** (bits - 1)
 
 
 def split(value, bits, parts):
@@ -179,26 +179,38 @@ def split(value, bits, parts):
     return pieces
 
 
-def horner(macro, variable, constants):
-    """The macro that evaluates a polynomial, highest order innermost, as lines."""
-    lines = [f"#define {macro} \\"]
-    for constant in constants[:-1]:
-        lines.append(f"  ({constant} + ({variable}) * \\")
-    lines.append(f"  {constants[-1]}" + ")" * (len(constants) - 1))
-    return lines
+def estrin(constants, x):
+    """The text of a polynomial in x by Estrin's scheme, a pair of coefficients a line."""
+    if len(constants) == 1:
+        return constants[0]
+    half = 1
+    while 2 * half < len(constants):
+        half *= 2
+    power = f"({x})" if half == 1 else f"CHS_POWER_{half}({x})"
+    gap = " " if half == 1 else " \\\n   "
+    return f"({estrin(constants[:half], x)} +{gap}{power} * {estrin(constants[half:], x)})"
+
+
+def macro(name, x, constants):
+    """The macro that evaluates a polynomial, as lines."""
+    return f"#define CHS_{name}({x}) \\\n  {estrin(constants, x)}".split("\n")
 
 
 def section(precision, bits, suffix):
-    lines = []
-    for name, function, form, top, kind, pinned, in_double, in_float, first in KERNELS:
-        degree = in_double if precision == "double" else in_float
+    choice = 0 if precision == "double" else 1
+    lines = [f"#define CHS_HIGH(x) CHS_POWER_{HALVES[choice]}(x)"]
+    for name, function, form, top, kind, head, first, degrees, lower in KERNELS:
         weight = (lambda f: 1 / abs(f)) if kind == "relative" else (lambda f: mpf(1))
-        coefficients, bound = fit(function, top, weight, pinned, degree, bits)
-        variable = function.__code__.co_varnames[0]
-        macro = f"CHS_{name}({variable})"
-        lines.append(f"/* {function.__doc__} = {form.replace('P', macro)}")
+        coefficients, bound = fit(function, top, weight, head, first, degrees[choice], bits)
+        x, low = function.__code__.co_varnames[0], lower[choice]
+        constants = [hexfloat(c, bits) + suffix for c in coefficients]
+        value = f"CHS_{name}_LOW + CHS_HIGH CHS_{name}_HIGH" if low else f"CHS_{name}"
+        lines.append(f"/* {function.__doc__} = {form}, P = {value}")
         lines.append(f"   on [0, {mp.nstr(top, 5)}], {kind} error {mp.nstr(bound, 2)} eps */")
-        lines += horner(macro, variable, [hexfloat(c, bits) + suffix for c in coefficients[first:]])
+        if low:
+            lines += macro(f"{name}_LOW", x, constants[:low]) + macro(f"{name}_HIGH", x, constants[low:])
+        else:
+            lines += macro(name, x, constants)
     for name, value, parts in [("PI", pi, 3), ("HALF_PI", pi / 2, 2), ("QUARTER_PI", pi / 4, 2)]:
         for letter, piece in zip("ABC", split(value, bits, parts)):
             lines.append(f"#define CHS_{name}_{letter} {hexfloat(piece, bits)}{suffix}")
@@ -208,11 +220,15 @@ def section(precision, bits, suffix):
 def header():
     lines = [
         "/* Written by tools/coefficients/generate.py; do not edit.",
-        " * Polynomials by Horner's rule; constants as unevaluated sums A + B + C. */",
+        " * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated",
+        " * sums A + B + C. */",
         "#ifndef CHASLES_COEFFICIENTS_H",
         "#define CHASLES_COEFFICIENTS_H",
         "",
         "/* clang-format off */",
+        "#define CHS_POWER_2(x) ((x) * (x))",
+        "#define CHS_POWER_4(x) (CHS_POWER_2(x) * CHS_POWER_2(x))",
+        "#define CHS_POWER_8(x) (CHS_POWER_4(x) * CHS_POWER_4(x))",
     ]
     for precision, bits, suffix in FORMATS:
         lines += ["#ifndef CHS_SINGLE" if precision == "double" else "#else"] + section(precision, bits, suffix)
