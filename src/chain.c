@@ -55,25 +55,13 @@ static int is_finite_place(const place *t) {
   return good;
 }
 
-/* What is wrong with a chain or with joint values that gave no result. */
-static int why(const chain *c, const real *q) {
+int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
   if (c->joints < 1) return CHS_ERR_ARGUMENT;
   int status = first_error(finiteness(c->screws, 6 * c->joints), finiteness(q, c->joints));
   status = first_error(status, finiteness(c->home, 12)); /* the last row is never read */
   for (int i = 0; i < c->joints && status == CHS_OK; i++)
     if (norm(c->screws + 6 * i, 3) * ABS(q[i]) >= (K(1.0) - K(8.0) * EPS) * ANGLE_MAX) status = CHS_ERR_ANGLE_RANGE;
   return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
-}
-
-int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
-  place t;
-  start(c, &t);
-  int good = c->joints >= 1;
-  for (int i = 0; i < c->joints && good; i++) good = advance(&t, c->screws + 6 * i, q[i]);
-  finish(c, &t);
-  if (!good || !is_finite_place(&t)) return why(c, q);
-  join(t.R, t.p, T);
-  return CHS_OK;
 }
 
 /* Ad(t) S, the column of the Jacobian of a joint at t. */
@@ -85,15 +73,6 @@ static inline void column_of(const place *t, const real S[6], real column[6]) {
   for (int i = 0; i < 3; i++) column[3 + i] += moment[i];
 }
 
-/* Column i of J, which is 6 x n. */
-static inline void put_column(const real column[6], int n, int i, real *J) {
-  for (int row = 0; row < 6; row++) J[n * row + i] = column[row];
-}
-
-static inline void get_column(const real *J, int n, int i, real column[6]) {
-  for (int row = 0; row < 6; row++) column[row] = J[n * row + i];
-}
-
 /* Ad(t)^-1, in place. */
 static inline void into_frame_of(const place *t, real column[6]) {
   real moment[3];
@@ -103,16 +82,26 @@ static inline void into_frame_of(const place *t, real column[6]) {
   rotate_back(t->R, column + 3, column + 3);
 }
 
-/* The walk, and the columns of the Jacobian in the fixed frame. */
-static void walk(const chain *c, const real *q, real *J, place *t) {
+int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t) {
+  int good = c->joints >= 1;
   start(c, t);
-  for (int i = 0; i < c->joints; i++) {
+  for (int i = 0; i < c->joints && good; i++) {
     real column[6], joint = q[i];
-    column_of(t, c->screws + 6 * i, column);
-    put_column(column, c->joints, i, J);
-    advance(t, c->screws + 6 * i, joint);
+    if (J) {
+      column_of(t, c->screws + 6 * i, column);
+      put_column(column, c->joints, i, J);
+    }
+    good = advance(t, c->screws + 6 * i, joint);
   }
   finish(c, t);
+  return good && is_finite_place(t);
+}
+
+int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
+  place t;
+  if (!FN(chs_p_walk)(c, q, NULL, &t)) return FN(chs_p_why_no_walk)(c, q);
+  join(t.R, t.p, T);
+  return CHS_OK;
 }
 
 /* Numbers so ordinary that nothing can come out of range: what most calls need to be told. The sum is poisoned by
@@ -151,7 +140,7 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
 static int may_walk(const chain *c, const real *q) {
   place t, end;
   if (is_ordinary(c, q)) return CHS_OK;
-  return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : why(c, q);
+  return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : FN(chs_p_why_no_walk)(c, q);
 }
 
 /* The joint values moved to the end of an output that they may overlap. Each is read before what takes its place is
@@ -180,7 +169,7 @@ int FN(chs_chain_space_jacobian)(const chain *c, const real *q, real *J, real T[
   place t;
   int n = c->joints, status = may_walk(c, q);
   if (status != CHS_OK) return status;
-  walk(c, keep(q, n, J + 5 * n), J, &t);
+  FN(chs_p_walk)(c, keep(q, n, J + 5 * n), J, &t);
   if (T) join(t.R, t.p, T);
   return CHS_OK;
 }
@@ -189,7 +178,7 @@ int FN(chs_chain_body_jacobian)(const chain *c, const real *q, real *J, real T[1
   place t;
   int n = c->joints, status = may_walk(c, q);
   if (status != CHS_OK) return status;
-  walk(c, keep(q, n, J + 5 * n), J, &t);
+  FN(chs_p_walk)(c, keep(q, n, J + 5 * n), J, &t);
   for (int i = 0; i < n; i++) {
     real column[6];
     get_column(J, n, i, column);

@@ -96,4 +96,20 @@ static inline int advance(place *t, const real S[6], real q) {
   return k == 0 ? turn(t, 1, 2, 0, q, v) : k == 1 ? turn(t, 2, 0, 1, q, v) : turn(t, 0, 1, 2, q, v);
 }
 
+/* Why a chain and joint values gave no result. */
+int FN(chs_p_why_no_walk)(const chain *c, const real *q);
+
+/* The walk to the tool, and the columns of the Jacobian in the fixed frame; J may be NULL. False where something is out of
+ * range or no number, which only t may tell: then J and t are of no use. */
+int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t);
+
+/* Column i of J, which is 6 x n. */
+static inline void get_column(const real *J, int n, int i, real column[6]) {
+  for (int row = 0; row < 6; row++) column[row] = J[n * row + i];
+}
+
+static inline void put_column(const real column[6], int n, int i, real *J) {
+  for (int row = 0; row < 6; row++) J[n * row + i] = column[row];
+}
+
 #endif

@@ -90,12 +90,12 @@ static void sort(spectrum *s) {
 
 int FN(chs_p_spectrum_of)(int n, const real *J, real length, real *X, spectrum *s) {
   s->n = n;
-  s->k = n < 6 ? n : 6;
-  s->m = n < 6 ? 6 : n;
+  s->k = n <= 6 ? n : 6;
+  s->m = n <= 6 ? 6 : n;
   for (int row = 0; row < 6; row++)
     for (int j = 0; j < n; j++) {
       real entry = row < 3 ? J[n * row + j] : J[n * row + j] / length;
-      X[n < 6 ? 6 * j + row : n * row + j] = entry;
+      X[n <= 6 ? 6 * j + row : n * row + j] = entry;
     }
   s->size = largest(X, 6 * n);
   if (!is_finite(s->size)) return 0;
@@ -124,7 +124,7 @@ int FN(chs_p_rank_of)(const spectrum *s) {
 
 void FN(chs_p_damped_solution)(const spectrum *s, const real *X, int count, const real V[6], real lambda, real *x) {
   real damping = lambda / s->size, coefficients[6];
-  int k = s->k, m = s->m, wide = s->n >= 6;
+  int k = s->k, m = s->m, wide = s->n > 6;
   if (s->size == 0) count = 0;
   for (int i = 0; i < count; i++) {
     const real *vector = wide ? s->G + k * s->order[i] : X + m * s->order[i];

@@ -1,4 +1,4 @@
-/* chasles/chain.h - serial chains as products of exponentials: forward kinematics, Jacobians, statics, joint rates.
+/* chasles/chain.h - serial chains as products of exponentials: forward and inverse kinematics, Jacobians, statics, rates.
  *
  * The methods are those of Brockett 1984 and of Lynch & Park, Modern Robotics (2017), chapters 4 to 6. A joint is its
  * screw axis S = (omega; v), three numbers each, at q = 0:
@@ -110,7 +110,7 @@ void chs_chain_twistf(int joints, const float *J, const float *rates, float V[6]
 /* How many numbers of scratch memory the functions below need for n joints. What it holds does not matter. */
 #define CHS_CHAIN_SCRATCH(n) (7 * ((n) > 6 ? (n) : 6))
 
-/* The singular values of J, by one-sided Jacobi rotations of its rows, or of its columns where n < 6.
+/* The singular values of J, by one-sided Jacobi rotations of its rows, or of its columns where n <= 6.
  *
  *   length   a characteristic length, above 0, by which the last three rows are divided first: they are lengths a
  *            radian where the first three are numbers, so that singular values, rank, manipulability and condition
@@ -190,6 +190,65 @@ int chs_chain_rates_damped(int joints, const double *J, const double V[6], doubl
                            double *scratch, double *rates);
 int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float length, float damping, float near,
                             float *scratch, float *rates);
+
+/* Inverse kinematics: joint values at which the tool has the pose T.
+ *
+ * The error of a pose is the rotation left, log(R_T R^T) by the exact logarithm, and the way left, p_T - p. Each step
+ * solves J dq = error, J for the tool's own point: by elimination or the pseudoinverse (Newton-Raphson), or by damped
+ * least squares with lambda = damping |error| (Chan & Lawrence 1988), the columns of J scaled to one length. A step that
+ * does not bring the tool nearer, or would turn a joint by more than pi/2, is damped and tried again; where nothing helps
+ * and a direction of J is lost, a motion of second order is tried along it. So no step does harm. In |error| the two
+ * tolerances weigh the same: lengths are divided by length / angle. */
+typedef enum chs_ik_method { CHS_IK_NEWTON = 0, CHS_IK_DAMPED = 1 } chs_ik_method;
+
+typedef struct chs_ik {
+  chs_ik_method method;
+  double angle;   /* the rotation that may be left, in radians, above 0 */
+  double length;  /* the distance that may be left, above 0 */
+  double damping; /* above 0; 0.1 is a good choice, the smaller the bolder. CHS_IK_NEWTON does not read it */
+  int steps;      /* the most steps of a search, at least 0 */
+  int restarts;   /* how often a search that failed may start again elsewhere, at least 0 */
+} chs_ik;
+
+typedef struct chs_ikf {
+  chs_ik_method method;
+  float angle;
+  float length;
+  float damping;
+  int steps;
+  int restarts;
+} chs_ikf;
+
+/* How many numbers of scratch memory both functions need for n joints. What it holds does not matter. */
+#define CHS_CHAIN_IK_SCRATCH(n) (24 * ((n) > 6 ? (n) : 6))
+
+/* A search of up to `steps` steps from `start`, and up to `restarts` more from joint values around it, at first near and
+ * then ever farther away, the same ones at every call (chs_chain_ik); or one step (chs_chain_ik_step), so that a
+ * controller can spread a search over its cycles. A step costs at most 14 walks along the chain and one singular value
+ * decomposition, and in the ordinary case two walks and one elimination.
+ *
+ *   T         the pose wanted, its rotation one to within CHS_SO3_FAR.
+ *   start     [n] joint values to start from, brought within the limits first. They decide which of the solutions is
+ *             found; one found after a restart may be any.
+ *   scratch   [CHS_CHAIN_IK_SCRATCH(n)]
+ *   q         [n] the joint values found, or else the best so far: within the limits, where a revolute joint whose range
+ *             has room for it has turned by 2 pi more or less.
+ *   residual  {angle, length}, what is left at q; may be NULL.
+ *
+ * CHS_OK means that the residual, from q as chs_chain_fk and chs_so3_log have it, is within both tolerances: a solution is
+ * as true as these two. Tolerances finer than their errors cannot be met.
+ * Returns CHS_OK; CHS_ITERATION_LIMIT where more steps are needed or a tolerance cannot be met; CHS_AT_JOINT_LIMIT where
+ * joints that are held at their limits keep the tool from getting nearer; CHS_NEAR_SINGULAR where no joint moves it
+ * nearer, as beyond the reach of an outstretched arm; CHS_ERR_ARGUMENT where n < 1, an option is outside its range or a
+ * lower limit above its upper one; CHS_ERR_NAN and CHS_ERR_INFINITE; and as chs_chain_fk, and what CHS_SO3_FAR says. */
+int chs_chain_ik(const chs_chain *chain, const double T[16], const double *start, const chs_ik *options,
+                 double *scratch, double *q, double residual[2]);
+int chs_chain_ikf(const chs_chainf *chain, const float T[16], const float *start, const chs_ikf *options,
+                  float *scratch, float *q, float residual[2]);
+int chs_chain_ik_step(const chs_chain *chain, const double T[16], const double *start, const chs_ik *options,
+                      double *scratch, double *q, double residual[2]);
+int chs_chain_ik_stepf(const chs_chainf *chain, const float T[16], const float *start, const chs_ikf *options,
+                       float *scratch, float *q, float residual[2]);
 
 #ifdef __cplusplus
 }

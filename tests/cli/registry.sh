@@ -9,7 +9,7 @@ lacks() {
 }
 
 # The double one of each pair of prototypes: its first argument is a double, an array of them, or a screw of them.
-functions=$(sed -n 's/^[a-z]* chs_\([a-z0-9_]*\)(\(const \)\{0,1\}\(double\|chs_screw\) .*/\1/p' "$include"/*.h)
+functions=$(sed -n 's/^[a-z]* chs_\([a-z0-9_]*\)(\(const \)\{0,1\}\(double\|chs_screw\|chs_chain\|int joints, const double\) .*/\1/p' "$include"/*.h)
 [ -n "$functions" ] || lacks 'a function, or no prototype was found'
 for name in $functions; do
   grep -q "^FUNCTION($name, " "$registry" || lacks "chs_$name"

@@ -4,6 +4,7 @@
 #include "functions.h"
 
 #include <chasles/chasles.h>
+#include <float.h>
 #include <stddef.h>
 
 /* A function with more inputs or outputs than the arrays of its callers hold gives an array of negative size here. */
@@ -17,6 +18,8 @@
 #define SUMS chs_motion_sums
 #define QUALITY chs_motion_quality
 #define CHAIN chs_chain
+#define IK chs_ik
+#define REAL_EPSILON DBL_EPSILON
 #define LIB(name) chs_##name
 #define LOCAL(name) name##_double
 #include "functions_calls.h"
@@ -25,6 +28,8 @@
 #undef SUMS
 #undef QUALITY
 #undef CHAIN
+#undef IK
+#undef REAL_EPSILON
 #undef LIB
 #undef LOCAL
 
@@ -33,6 +38,8 @@
 #define SUMS chs_motion_sumsf
 #define QUALITY chs_motion_qualityf
 #define CHAIN chs_chainf
+#define IK chs_ikf
+#define REAL_EPSILON FLT_EPSILON
 #define LIB(name) chs_##name##f
 #define LOCAL(name) name##_float
 #include "functions_calls.h"
@@ -41,6 +48,8 @@
 #undef SUMS
 #undef QUALITY
 #undef CHAIN
+#undef IK
+#undef REAL_EPSILON
 #undef LIB
 #undef LOCAL
 
@@ -50,6 +59,8 @@
   { #group, CHS_EPS_##macro, CHS_EPS_##macro##_BEYOND }
 #define EXACT(group) \
   { #group, 0.0, 0.0 }
+#define WITHIN(group, eps) \
+  { #group, eps, eps }
 #define NO_OUTPUTS \
   { NULL, 0.0, 0.0 }
 #define FUNCTION(name, kinds, inputs, outputs, call, ...) \

@@ -1,6 +1,6 @@
 /* functions_calls.h - the calls of functions.def in one precision; functions.c includes it twice.
  *
- * The includer defines REAL, SCREW and CHAIN (the types), LIB(name) (the library's function of that name) and LOCAL(name) (a
+ * The includer defines REAL, SCREW, CHAIN and IK (the types), REAL_EPSILON, LIB(name) (the library's function of that name) and LOCAL(name) (a
  * name of our own for this precision). No include guard, on purpose.
  */
 
@@ -102,6 +102,20 @@ static int LOCAL(chain_jacobian)(int (*method)(const CHAIN *, const REAL *, REAL
                                  REAL *out) {
   const CHAIN chain = LOCAL(get_chain)(in);
   return method(&chain, in + 53, out, out + 36);
+}
+
+/* The pose that inverse kinematics reaches from the joint values in the array, to 1024 eps. Without a solution it is that
+ * of the best joint values found. */
+static int LOCAL(chain_reach)(int (*method)(const CHAIN *, const REAL *, const REAL *, const IK *, REAL *, REAL *,
+                                            REAL *),
+                              const REAL *in, REAL *out) {
+  const CHAIN chain = LOCAL(get_chain)(in);
+  const IK options = {CHS_IK_NEWTON, 1024 * REAL_EPSILON, 1024 * REAL_EPSILON, 1, 8, 1};
+  REAL scratch[CHS_CHAIN_IK_SCRATCH(6)];
+  REAL q[6];
+  const int status = method(&chain, in + 59, in + 53, &options, scratch, q, NULL);
+  if (status >= 0) (void)LIB(chain_fk)(&chain, q, out);
+  return status;
 }
 
 static int LOCAL(jacobian_value)(int (*method)(int, const REAL *, REAL, REAL *, REAL *), const REAL *in, REAL *out) {

@@ -455,6 +455,18 @@ static void make_chain(struct source *source, double *chain) {
   for (int i = 0; i < 6; ++i) make_angle(source, chain + 53 + i);
 }
 
+/* A chain, and a pose: mostly one that it has at joint values not far away. */
+static void make_goal(struct source *source, double *chain) {
+  double there[59];
+  const double far = number(source, -12, -2);
+  make_chain(source, chain);
+  make_pose(source, chain + 59);
+  if (one_in(source, 16)) return;
+  memcpy(there, chain, sizeof there);
+  for (int i = 53; i < 59; ++i) there[i] = rounded(source, chain[i] + (one_in(source, 2) ? far : -far));
+  call_library(source, "chain_fk", there, chain + 59);
+}
+
 /* Six columns: of a chain, which may be singular, or any numbers, or the one column twice. */
 static void make_jacobian(struct source *source, double *J) {
   double chain[59];
@@ -495,7 +507,7 @@ static const struct kind kinds[] = {
     {'S', 8, make_screw},     {'P', 18, make_triangles},      {'t', 1, make_tolerance}, {'L', 6, make_line},
     {'D', 12, make_lines},    {'C', 59, make_chain},          {'m', 1, make_mode},      {'h', 1, make_share},
     {'J', 36, make_jacobian}, {'K', 42, make_wide_jacobian},  {'B', 32, make_poses},    {'N', 42, make_cloud},
-    {'H', 12, make_rows},     {'G', 18, make_axes},
+    {'H', 12, make_rows},     {'G', 18, make_axes},           {'I', 75, make_goal},
 };
 
 static const struct kind *find_kind(char letter) {

@@ -165,6 +165,60 @@ JACOBIAN = [
 ] + pose_groups(6 * JOINTS)
 
 
+# Inverse kinematics
+
+
+def regular_chain(fmt, rng, k):
+    """A chain of six turning joints about half a metre apart: the UR5, or any axes."""
+    if k % 3 == 0:
+        return fmt.round_all([mpf(x) for x in UR5_SCREWS + UR5_HOME + (0,)])
+    screws = [
+        fmt.round_all(line_screw(direction(rng), sampling.vector(rng, mpf(1) / 2), mpf(0))) for _ in range(JOINTS)
+    ]
+    home = sampling.pose_of(fmt, rng, sampling.random_rotation(fmt, rng), fmt.round_all(direction(rng)))
+    return sum(screws, []) + home + [mpf(k % 2)]
+
+
+def ik_bands(far):
+    """Poses that the chain has at joint values up to `far` from the start, none of them near a singularity."""
+
+    def bands(fmt, rng):
+        def build(fmt, rng, k):
+            flat = regular_chain(fmt, rng, k)
+            screws, home, body, _ = parts(flat + [mpf(0)] * JOINTS)
+            q = [uniform(rng, -pi, pi) for _ in range(JOINTS)]
+            columns = chains.body_columns(fmt, screws, home, body, q)
+            if abs(determinant(chains.matrix_of(columns))) < 0.03:
+                raise Unclear
+            T = exact.pose_matrix(*chains.forward(fmt, screws, home, body, q))
+            start = [x + fmt.pick(*far) * uniform(rng, -1, 1) for x in q]
+            return flat + fmt.round_all(start + T)
+
+        base = fmt.round_all([mpf(x) for x in UR5_SCREWS + UR5_HOME + (0, 1, -1, 1, 0, 1, 0)])
+        T = [mpf(x) for x in (1, 0, 0, "0.3", 0, 1, 0, "0.2", 0, 0, 1, "0.4", 0, 0, 0, 1)]
+        base += fmt.round_all(T)
+        goal = VALUES + JOINTS
+        reflected = list(base)
+        reflected[goal + 10] = mpf(-1)
+        stretched = list(base)
+        stretched[goal] = mpf("1.125")
+        read = [0, 3, 8, 35, HOME + 3, HOME + 11, VALUES, VALUES + 5, goal, goal + 3, goal + 11]
+        far_turn = list(base)
+        far_turn[VALUES + 1] = fmt.round(5 * sampling.angle_max(fmt))
+        return (
+            [Band("ordinary", 60, build)]
+            + sampling.spoilt(base, read)
+            + [Errors(-6, [reflected], "reflection"), Errors(-5, [stretched], "not_a_rotation")]
+            + [Errors(-4, [far_turn], "angle_range")]
+        )
+
+    return bands
+
+
+def evaluate_ik(fmt, x):
+    return Result([mpf(0) + y for y in x[VALUES + JOINTS :][:12]] + [mpf(0)] * 3 + [mpf(1)], [mpf(1), mpf(1), mpf(0)])
+
+
 # Statics and joint rates: J, twists or wrenches, lengths and dampings
 
 
@@ -415,6 +469,8 @@ FUNCTIONS = [
     Function("chain_links", INPUTS, pose_groups(0, "max", JOINTS), evaluate_links, bands_of(FEW)),
     Function("chain_space_jacobian", INPUTS, JACOBIAN, evaluate_jacobian(chains.space_columns), bands_of(FEW)),
     Function("chain_body_jacobian", INPUTS, JACOBIAN, evaluate_jacobian(chains.body_columns), bands_of(FEW)),
+    Function("chain_ik", INPUTS + 16, pose_groups(0), evaluate_ik, ik_bands((0.2, 0.2))),
+    Function("chain_ik_step", INPUTS + 16, pose_groups(0), evaluate_ik, ik_bands((1e-7, 1e-3))),
     Function("chain_torques", 42, all_outputs("torques", "max", 6), evaluate_torques, plain_bands(6, twist_tail)),
     Function("chain_twist", 42, all_outputs("twist", "max", 6), evaluate_twist, plain_bands(6, twist_tail)),
     Function("chain_singular_values", 37, all_outputs("sigma", "max", 6), evaluate_singular_values, J_AND_LENGTH),
