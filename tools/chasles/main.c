@@ -13,7 +13,7 @@ static const char help[] =
     "\n"
     "subcommands:\n"
     "  compare DIR_OR_FILE...  compare the library with reference vectors and print the errors\n"
-    "  solve FILE.csv          find the screw motion of a body from three measured markers\n"
+    "  solve FILE.csv          find the screw motion of a body from measured markers\n"
     "  fk ROBOT VALUE...       forward kinematics: the pose of a robot's tool, its links, its Jacobian\n"
     "  agile-eye               map the rotational errors of the Agile Eye over its orientations\n"
     "  arm-error ROBOT [q...]  find how wrong an arm's tool can be when its joints are\n"

@@ -223,21 +223,21 @@ static bool read_cell(const struct markers *markers, int column, const char *mea
   return false;
 }
 
-enum text_result markers_next(struct markers *markers, const int chosen[3], struct frame *frame) {
+enum text_result markers_next(struct markers *markers, const int *chosen, int count, struct frame *frame) {
   const enum text_result result = next_row(markers);
   if (result != TEXT_LINE) return result;
-  const int count = split_row(markers);
-  if (count < 0) return TEXT_ERROR;
-  if (count != markers->columns) {
+  const int cells = split_row(markers);
+  if (cells < 0) return TEXT_ERROR;
+  if (cells != markers->columns) {
     fprintf(stderr, "%s:%ld: expected %d cells, found %d\n", markers->text.name, markers->text.line, markers->columns,
-            count);
+            cells);
     return TEXT_ERROR;
   }
   frame->number = ++markers->frame;
   frame->line = markers->text.line;
   frame->time = (double)NAN;
   if (markers->has_time && !read_cell(markers, 0, "the time", &frame->time)) return TEXT_ERROR;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < count; ++k) {
     const struct marker *marker = &markers->list[chosen[k]];
     frame->present[k] = true;
     for (int axis = 0; axis < 3; ++axis) {

@@ -30,13 +30,15 @@ struct markers {
   long frame;       /* number of the frame last read, from 1 */
 };
 
-/* One frame of three markers. */
+enum { MOST_CHOSEN = 64 };
+
+/* One frame of the chosen markers. */
 struct frame {
   long number;
   long line;
-  double time; /* NaN when there is none */
-  double points[9];
-  bool present[3];
+  double time;                    /* NaN when there is none */
+  double points[3 * MOST_CHOSEN]; /* NaN where a coordinate is missing */
+  bool present[MOST_CHOSEN];
 };
 
 /* Opens the file and reads its first row. False after a message; nothing is left to close then. */
@@ -45,8 +47,8 @@ bool markers_open(struct markers *markers, const char *name);
 /* The marker of that name, or -1. */
 int markers_find(const struct markers *markers, const char *name, size_t length);
 
-/* The next frame of the three markers: TEXT_LINE; TEXT_END behind the last; TEXT_ERROR after a message. */
-enum text_result markers_next(struct markers *markers, const int chosen[3], struct frame *frame);
+/* The next frame of the markers chosen: TEXT_LINE; TEXT_END behind the last; TEXT_ERROR after a message. */
+enum text_result markers_next(struct markers *markers, const int *chosen, int count, struct frame *frame);
 
 void markers_close(struct markers *markers);
 

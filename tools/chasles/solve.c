@@ -1,9 +1,7 @@
-/* solve.c - chasles solve: the screw motion of a body from three measured markers, frame by frame. */
+/* solve.c - chasles solve: the screw motion of a body from its measured markers, frame by frame. */
 #include <chasles/chasles.h>
-#include <errno.h>
 #include <getopt.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -16,43 +14,58 @@ const char solve_help[] =
     "usage: chasles solve [options] FILE.csv\n"
     "\n"
     "Reads the positions of markers, one row a frame, and prints the screw that brings a body from a reference frame\n"
-    "to each frame: the angle, the axis' direction, the axis' point nearest to the origin, and the translation along\n"
-    "the axis. A frame in which one of the three markers is missing is reported as such and skipped, never guessed.\n"
+    "to each frame: the angle, the axis' direction, the axis' point nearest to the origin, the translation along the\n"
+    "axis, and the root mean square distance that the markers keep from where the screw takes them. A frame in which\n"
+    "a marker is missing is reported as such and skipped, never guessed; of a body of more than three the others are\n"
+    "used, and that is reported.\n"
     "\n"
     "The first row names the columns: NAME_x, NAME_y, NAME_z for each marker, with the unit behind it if there is\n"
     "one (Head1_x_m), and first, if wanted, the time (time_s). An empty cell, nan or NA is a missing coordinate.\n"
     "Cells are parted by commas, semicolons or tabs, numbers have a decimal point; '-' is standard input.\n"
     "\n"
     "options:\n"
-    "  --markers A,B,C    the three markers of the body (default: the first three of the file)\n"
-    "  --against FRAME    the reference: 'first', the first frame with all three markers; 'previous', the last frame\n"
-    "                     before that had all three; or the number of a frame, from 1 (default: first)\n"
-    "  --method NAME      bottema-roth or laub-shiflett (default: laub-shiflett, which measuring\n"
-    "                     errors disturb less; bottema-roth is the faster)\n"
-    "  --tolerance X      largest change of a side of the triangle, as a part of its longest side, that still counts\n"
-    "                     as rigid (default: 0.05, since markers on skin shift by a few percent of their distances;\n"
-    "                     a mistaken marker changes them by far more)\n"
-    "  --degrees          angles in degrees also in CSV (default: degrees in the table, radians in CSV)\n"
-    "  --out FILE         write CSV to FILE, '-' for standard output, in place of the table\n"
-    "  --help             print this help\n"
+    "  --markers A,B,C,...      the markers of the body, three or more\n"
+    "  --points N               without --markers: the first N markers of the file (default: 3)\n"
+    "  --relative-to D,E,F,...  the motion relative to a second body, as somebody sees it who is fixed to that one: a\n"
+    "                           forearm relative to the arm. Axes and points are in coordinates that move with the\n"
+    "                           second body and are the file's own in its first complete frame, or in that of\n"
+    "                           --against NUMBER\n"
+    "  --against FRAME          the reference: 'first', the first frame with all markers; 'previous', the last frame\n"
+    "                           before that had all of them; or the number of a frame, from 1 (default: first)\n"
+    "  --method NAME            least-squares, for any number of markers; for three also laub-shiflett or\n"
+    "                           bottema-roth (default: least-squares, which measuring errors disturb least)\n"
+    "  --all-methods            a line for each of the methods\n"
+    "  --weights W1,W2,...      of the markers of the body, in their order: one over the square of the error\n"
+    "  --covariance SIGMA       also the standard deviations of angle (radians, in the table degrees), axis (radians),\n"
+    "                           point and translation, where each coordinate of a marker of weight 1 has the standard\n"
+    "                           deviation SIGMA in both frames, in the unit of the file; not with --relative-to\n"
+    "  --tolerance X            largest change of shape that still counts as rigid: the root mean square distance over\n"
+    "                           that of the markers from their centroid; with the methods for three, the change of a\n"
+    "                           side over the longest (default: 0.05, since markers on skin shift by a few percent of\n"
+    "                           their distances; a mistaken marker changes them by far more)\n"
+    "  --degrees                angles in degrees also in CSV (default: degrees in the table, radians in CSV)\n"
+    "  --out FILE               write CSV to FILE, '-' for standard output, in place of the table\n"
+    "  --help                   print this help\n"
     "\n"
     "exit status:\n"
-    "  0  every frame with all three markers was solved\n"
-    "  1  some was not (points on a line, sides that changed), or no frame has all three markers\n"
+    "  0  every frame with all markers was solved\n"
+    "  1  some was not (points on a line, a changed shape), or no frame has all markers\n"
     "  2  unusable input or arguments, or an output that cannot be written\n"
     "\n"
     "examples:\n"
     "  chasles solve --markers Arm1,Arm2,Arm3 trial.csv\n"
+    "  chasles solve --markers Forearm1,Forearm2,Forearm3 --relative-to Arm1,Arm2,Arm3 --out elbow.csv trial.csv\n"
     "  chasles solve --against previous --method bottema-roth --out screws.csv trial.csv\n";
 
-typedef int method_function(const double *initial, const double *final, double tolerance, chs_screw *screw, double *T);
+typedef int three_points(const double *initial, const double *final, double tolerance, chs_screw *screw, double *T);
 
 struct method {
   const char *name;
-  method_function *solve;
+  three_points *solve; /* NULL: least squares, for any number */
 };
 
 static const struct method methods[] = {
+    {"least-squares", NULL},
     {"laub-shiflett", chs_motion_laub_shiflett},
     {"bottema-roth", chs_motion_bottema_roth},
 };
@@ -63,20 +76,29 @@ enum { AGAINST_FIRST = 0, AGAINST_PREVIOUS = -1 }; /* or the number of a frame *
 struct options {
   const char *file;
   const char *markers;
-  const struct method *method;
+  const char *relative_to;
+  long points;
+  const struct method *method; /* NULL: all */
+  double weights[MOST_CHOSEN];
+  int weight_count; /* 0: none given */
+  double sigma;     /* negative: not given */
   long against;
   double tolerance;
   bool degrees;
   const char *out;
 };
 
-/* A run through the file. */
+/* A run through the file. The markers chosen are those of the body and behind them those it is seen from. */
 struct run {
   const struct options *options;
   struct markers markers;
-  int chosen[3];
+  int chosen[MOST_CHOSEN];
+  int body;
+  int all;
   const char *unit;
   FILE *csv; /* NULL: the table is printed */
+  bool has_base;
+  struct frame base; /* where the second body is thought to stay */
   bool has_reference;
   struct frame reference;
   long frames;
@@ -85,14 +107,19 @@ struct run {
   long failed;
 };
 
+enum kind { SOLVED, FAILED, REFERENCE, MISSING };
+
 /* What is printed of a frame. */
 struct result {
+  enum kind kind;
   const struct frame *frame;
-  bool is_reference;
-  bool is_missing;
+  const struct method *method;
   long against; /* number of the reference frame */
-  int status;   /* when it is neither of the two above */
+  int status;
+  const char *blamed; /* on failure: what of the two frames, or both bodies, is to blame; or "" */
   chs_screw screw;
+  double rms;
+  double deviations[4]; /* of angle, axis, point and translation; NaN where there is none */
 };
 
 /* ---- Markers ---- */
@@ -108,39 +135,49 @@ static bool unknown_marker(const struct markers *markers, const char *name, size
   return false;
 }
 
+/* Adds the markers of a list that has been read before. */
 static bool choose_named(struct run *run, const char *names) {
-  for (int i = 0; i < 3; ++i) {
-    names += strspn(names, " ");
-    const size_t length = strcspn(names, ",");
-    run->chosen[i] = markers_find(&run->markers, names, length);
-    if (run->chosen[i] < 0) return unknown_marker(&run->markers, names, length);
-    names += length;
-    if (*names == ',' && i < 2) ++names;
+  for (const char *name = names; name != NULL;) {
+    name += strspn(name, " ");
+    const size_t length = strcspn(name, ",");
+    const int found = markers_find(&run->markers, name, length);
+    if (found < 0) return unknown_marker(&run->markers, name, length);
+    run->chosen[run->all++] = found;
+    name = name[length] == ',' ? name + length + 1 : NULL;
   }
   return true;
 }
 
-static void choose_first_three(struct run *run) {
-  for (int i = 0; i < 3; ++i) run->chosen[i] = i;
-  if (run->markers.count == 3) return;
-  complain("no --markers given: the first three are taken of");
+static void choose_first(struct run *run) {
+  const int points = (int)run->options->points;
+  while (run->all < points) {
+    run->chosen[run->all] = run->all;
+    ++run->all;
+  }
+  if (run->markers.count == points) return;
+  complain("no --markers given: the first %d are taken of", points);
   print_marker_names(&run->markers);
 }
 
 static bool choose_markers(struct run *run) {
   const struct marker *list = run->markers.list;
-  if (run->markers.count < 3) {
+  const struct options *options = run->options;
+  if (run->markers.count < 3 || (options->markers == NULL && run->markers.count < options->points)) {
     text_expected(&run->markers.text, run->markers.count == 0 ? "" : list[0].name,
-                  "columns NAME_x, NAME_y, NAME_z of at least three markers");
+                  "columns NAME_x, NAME_y, NAME_z of at least %ld markers",
+                  options->markers == NULL ? options->points : 3);
     return false;
   }
-  if (run->options->markers == NULL) {
-    choose_first_three(run);
-  } else if (!choose_named(run, run->options->markers)) {
+  run->all = 0;
+  if (options->markers == NULL) {
+    choose_first(run);
+  } else if (!choose_named(run, options->markers)) {
     return false;
   }
+  run->body = run->all;
+  if (options->relative_to != NULL && !choose_named(run, options->relative_to)) return false;
   run->unit = list[run->chosen[0]].unit;
-  for (int i = 1; i < 3; ++i) {
+  for (int i = 1; i < run->all; ++i) {
     const struct marker *marker = &list[run->chosen[i]];
     if (strcmp(marker->unit, run->unit) == 0) continue;
     text_expected(&run->markers.text, marker->unit, "the unit '%s' of marker %s for %s as well", run->unit,
@@ -150,8 +187,22 @@ static bool choose_markers(struct run *run) {
   return true;
 }
 
-static bool is_complete(const struct frame *frame) {
-  return frame->present[0] && frame->present[1] && frame->present[2];
+static int count_present(const struct frame *frame, int from, int to) {
+  int count = 0;
+  for (int i = from; i < to; ++i) count += frame->present[i];
+  return count;
+}
+
+static bool is_complete(const struct run *run, const struct frame *frame) {
+  return count_present(frame, 0, run->all) == run->all;
+}
+
+/* Enough markers for both bodies: all three of three, and three of more where least squares are wanted. */
+static bool is_usable(const struct run *run, const struct frame *frame) {
+  const bool any_number = run->body > 3;
+  const int body = count_present(frame, 0, run->body);
+  const int base = count_present(frame, run->body, run->all);
+  return (any_number ? body >= 3 : body == run->body) && (run->all == run->body || base >= 3);
 }
 
 /* ---- Output ---- */
@@ -172,126 +223,246 @@ static void print_title(FILE *file, int width, const char *title, const char *un
   fprintf(file, " %*s", width, full);
 }
 
+static bool has_deviations(const struct run *run) { return run->options->sigma >= 0.0; }
+
 static void print_table_titles(const struct run *run) {
   printf("%6s", "frame");
   if (run->markers.has_time) printf(" %10.10s", run->markers.time_title);
-  printf(" %6s %10s %8s %8s %8s", "from", "angle_deg", "axis_x", "axis_y", "axis_z");
+  printf(" %6s", "from");
+  if (run->options->method == NULL) printf(" %-13s", "method");
+  printf(" %10s %8s %8s %8s", "angle_deg", "axis_x", "axis_y", "axis_z");
   print_title(stdout, 11, "point_x", run->unit);
   print_title(stdout, 11, "point_y", run->unit);
   print_title(stdout, 11, "point_z", run->unit);
   print_title(stdout, 13, "translation", run->unit);
+  print_title(stdout, 11, "rms", run->unit);
+  if (has_deviations(run)) {
+    printf(" %12s %11s", "sd_angle_deg", "sd_axis_rad");
+    print_title(stdout, 11, "sd_point", run->unit);
+    print_title(stdout, 16, "sd_translation", run->unit);
+  }
   puts("  status");
 }
 
 static void print_csv_titles(const struct run *run) {
   FILE *file = run->csv;
   const char *joint = *run->unit == '\0' ? "" : "_";
+  const char *angle = run->options->degrees ? "deg" : "rad";
   fputs("frame,", file);
   if (run->markers.has_time) {
     print_quoted(file, run->markers.time_title);
     fputc(',', file);
   }
-  fprintf(file, "from,angle_%s,axis_x,axis_y,axis_z,", run->options->degrees ? "deg" : "rad");
+  fprintf(file, "from,method,angle_%s,axis_x,axis_y,axis_z,", angle);
   for (int axis = 0; axis < 3; ++axis) fprintf(file, "point_%c%s%s,", "xyz"[axis], joint, run -> unit);
-  fprintf(file, "translation%s%s,status,note\n", joint, run->unit);
+  fprintf(file, "translation%s%s,rms%s%s,", joint, run->unit, joint, run->unit);
+  if (has_deviations(run)) {
+    fprintf(file, "sd_angle_%s,sd_axis_rad,sd_point%s%s,sd_translation%s%s,", angle, joint, run->unit, joint,
+            run->unit);
+  }
+  fputs("status,note\n", file);
+}
+
+static void print_missing(FILE *file, const struct run *run, const struct frame *frame) {
+  fputs("missing:", file);
+  for (int k = 0; k < run->all; ++k) {
+    if (!frame->present[k]) fprintf(file, " %s", run->markers.list[run->chosen[k]].name);
+  }
 }
 
 /* In words: why there is no screw, or what the library says of it. */
 static void print_note(FILE *file, const struct run *run, const struct result *result) {
-  if (result->is_missing) {
-    fputs("missing:", file);
-    for (int k = 0; k < 3; ++k) {
-      if (!result->frame->present[k]) fprintf(file, " %s", run->markers.list[run->chosen[k]].name);
-    }
-  } else {
-    fputs(result->is_reference ? "reference" : chs_status_text(result->status), file);
+  switch (result->kind) {
+  case REFERENCE: fputs("reference", file); return;
+  case MISSING: print_missing(file, run, result->frame); return;
+  case FAILED: fputs(result->blamed, file); break;
+  case SOLVED: break;
   }
+  fputs(chs_status_text(result->status), file);
+  if (is_complete(run, result->frame)) return;
+  fputs("; ", file);
+  print_missing(file, run, result->frame);
 }
 
-static bool has_screw(const struct result *result) {
-  return !result->is_missing && !result->is_reference && result->status >= 0;
-}
+static bool was_tried(const struct result *result) { return result->kind == SOLVED || result->kind == FAILED; }
 
 static void print_table_row(const struct run *run, const struct result *result) {
   const chs_screw *screw = &result->screw;
   printf("%6ld", result->frame->number);
   if (run->markers.has_time) printf(" %10.6f", result->frame->time);
-  if (result->is_missing || result->is_reference) {
-    printf(" %6s", "");
-  } else {
+  if (was_tried(result)) {
     printf(" %6ld", result->against);
+  } else {
+    printf(" %6s", "");
   }
-  if (has_screw(result)) {
+  if (run->options->method == NULL) printf(" %-13s", was_tried(result) ? result->method->name : "");
+  if (result->kind == SOLVED) {
     printf(" %10.5f", in_degrees(screw->angle));
     for (int i = 0; i < 3; ++i) printf(" %8.5f", screw->axis[i]);
     for (int i = 0; i < 3; ++i) printf(" %11.5g", screw->point[i]);
-    printf(" %13.5g", screw->translation);
+    printf(" %13.5g %11.3g", screw->translation, result->rms);
+    if (has_deviations(run)) {
+      printf(" %12.4g %11.3g %11.3g %16.3g", in_degrees(result->deviations[0]), result->deviations[1],
+             result->deviations[2], result->deviations[3]);
+    }
   } else {
-    printf(" %87s", "");
+    printf(" %*s", has_deviations(run) ? 153 : 99, "");
   }
   fputs("  ", stdout);
   print_note(stdout, run, result);
   putchar('\n');
 }
 
+static void print_cell(FILE *file, double x) {
+  fputc(',', file);
+  if (!isnan(x)) print_shortest(file, x);
+}
+
 static void print_csv_row(const struct run *run, const struct result *result) {
   FILE *file = run->csv;
   const chs_screw *screw = &result->screw;
-  const double numbers[] = {run->options->degrees ? in_degrees(screw->angle) : screw->angle,
+  const bool degrees = run->options->degrees;
+  const double *sd = result->deviations;
+  const double numbers[] = {degrees ? in_degrees(screw->angle) : screw->angle,
                             screw->axis[0],
                             screw->axis[1],
                             screw->axis[2],
                             screw->point[0],
                             screw->point[1],
                             screw->point[2],
-                            screw->translation};
-  fprintf(file, "%ld,", result->frame->number);
-  if (run->markers.has_time) {
-    if (!isnan(result->frame->time)) print_shortest(file, result->frame->time);
-    fputc(',', file);
-  }
-  if (!result->is_missing && !result->is_reference) fprintf(file, "%ld", result->against);
-  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
-    fputc(',', file);
-    if (has_screw(result)) print_shortest(file, numbers[i]);
-  }
+                            screw->translation,
+                            result->rms,
+                            degrees ? in_degrees(sd[0]) : sd[0],
+                            sd[1],
+                            sd[2],
+                            sd[3]};
+  fprintf(file, "%ld", result->frame->number);
+  if (run->markers.has_time) print_cell(file, result->frame->time);
   fputc(',', file);
-  if (!result->is_missing && !result->is_reference) fprintf(file, "%d", result->status);
+  if (was_tried(result)) fprintf(file, "%ld", result->against);
+  fprintf(file, ",%s", was_tried(result) ? result->method->name : "");
+  for (int i = 0; i < (has_deviations(run) ? 13 : 9); ++i)
+    print_cell(file, result->kind == SOLVED ? numbers[i] : (double)NAN);
+  fputc(',', file);
+  if (was_tried(result)) fprintf(file, "%d", result->status);
   fputs(",\"", file);
   print_note(file, run, result);
   fputs("\"\n", file);
 }
 
+static void print_names(FILE *file, const struct run *run, int from, int to) {
+  for (int i = from; i < to; ++i) {
+    fprintf(file, "%s%s", i == from ? "" : ", ", run->markers.list[run->chosen[i]].name);
+  }
+}
+
 static void print_summary(const struct run *run) {
-  const struct marker *list = run->markers.list;
   FILE *file = run->csv == stdout ? stderr : stdout;
-  fprintf(file, "%s%s, %s, %s by %s: %ld frames, %ld solved, %ld with a marker missing, %ld in error\n",
-          run->csv == NULL ? "\n" : "", list[run->chosen[0]].name, list[run->chosen[1]].name, list[run->chosen[2]].name,
-          run->options->method->name, run->frames, run->solved, run->missing, run->failed);
+  if (run->csv == NULL) fputc('\n', file);
+  print_names(file, run, 0, run->body);
+  if (run->all > run->body) fputs(" relative to ", file);
+  print_names(file, run, run->body, run->all);
+  fprintf(file, " by %s: %ld frames, %ld solved, %ld with a marker missing, %ld in error\n",
+          run->options->method == NULL ? "all methods" : run->options->method->name, run->frames, run->solved,
+          run->missing, run->failed);
 }
 
 /* ---- Solving ---- */
 
-static struct result solve_frame(const struct run *run, const struct frame *frame) {
-  struct result result;
-  memset(&result, 0, sizeof result);
-  result.frame = frame;
-  result.is_missing = !is_complete(frame);
-  result.is_reference = !result.is_missing && (!run->has_reference || frame->number == run->reference.number);
-  if (result.is_missing || result.is_reference) return result;
-  result.against = run->reference.number;
-  result.status =
-      run->options->method->solve(run->reference.points, frame->points, run->options->tolerance, &result.screw, NULL);
-  return result;
+/* Takes the body's markers to where the second body sees them from its place in the base frame. The status of the second
+ * body's own displacement. */
+static int see_from_base(const struct run *run, struct frame *frame) {
+  double T[16];
+  double back[16];
+  const size_t count = (size_t)(run->all - run->body);
+  const size_t offset = 3 * (size_t)run->body;
+  if (count == 0) return CHS_OK;
+  const int status = chs_motion_fit(count, run->base.points + offset, frame->points + offset, NULL, NULL,
+                                    run->options->tolerance, NULL, T, NULL);
+  if (status < 0) return status;
+  chs_se3_inverse(T, back);
+  for (int k = 0; k < run->body; ++k) chs_se3_apply(back, frame->points + 3 * k, frame->points + 3 * k);
+  return CHS_OK;
 }
 
-static void count_result(struct run *run, const struct result *result) {
-  ++run->frames;
-  if (result->is_missing) {
-    ++run->missing;
-  } else if (!result->is_reference) {
-    ++*(result->status < 0 ? &run->failed : &run->solved);
+static const double *weights_of(const struct run *run) {
+  return run->options->weight_count > 0 ? run->options->weights : NULL;
+}
+
+static int solve_pair(const struct run *run, const struct method *method, const double *initial, const double *final,
+                      chs_screw *screw, double *T) {
+  const double tolerance = run->options->tolerance;
+  if (method->solve != NULL) return method->solve(initial, final, tolerance, screw, T);
+  return chs_motion_fit((size_t)run->body, initial, final, weights_of(run), NULL, tolerance, screw, T, NULL);
+}
+
+/* Which frame is to blame for a failure: one whose markers do not even make a body by themselves. */
+static const char *blame(const struct run *run, const struct result *result, const struct frame *frame) {
+  static char text[64];
+  const struct frame *frames[] = {&run->reference, frame};
+  for (int i = 0; i < 2; ++i) {
+    const double *points = frames[i]->points;
+    if (solve_pair(run, result->method, points, points, NULL, NULL) >= 0) continue;
+    snprintf(text, sizeof text, "%sframe %ld: ", i == 0 ? "the reference, " : "", frames[i]->number);
+    return text;
   }
+  return "";
+}
+
+static double rms_of(const struct run *run, const double *initial, const struct frame *frame, const double *T) {
+  double sum = 0.0;
+  int count = 0;
+  for (int k = 0; k < run->body; ++k) {
+    double image[3];
+    if (!frame->present[k]) continue;
+    chs_se3_apply(T, initial + 3 * k, image);
+    for (int i = 0; i < 3; ++i) sum += pow(frame->points[3 * k + i] - image[i], 2);
+    ++count;
+  }
+  return sqrt(sum / count);
+}
+
+/* The errors of both frames add up. */
+static void find_deviations(const struct run *run, const struct frame *frame, struct result *result) {
+  double covariance[64];
+  for (int i = 0; i < 4; ++i) result->deviations[i] = (double)NAN;
+  if (!has_deviations(run) || result->method->solve != NULL) return;
+  const int status = chs_motion_covariance((size_t)run->body, run->reference.points, frame->points, weights_of(run),
+                                           NULL, sqrt(2.0) * run->options->sigma, NULL, covariance);
+  if (status < 0) return;
+  if (result->status == CHS_OK) result->status = status;
+  const double *c = covariance;
+  result->deviations[0] = sqrt(c[63]);
+  result->deviations[1] = sqrt(c[0] + c[9] + c[18]);
+  result->deviations[2] = sqrt(c[27] + c[36] + c[45]);
+  result->deviations[3] = sqrt(c[54]);
+}
+
+static struct result solve_frame(const struct run *run, const struct frame *frame, const struct frame *seen,
+                                 int base_status, const struct method *method) {
+  struct result result;
+  double T[16];
+  memset(&result, 0, sizeof result);
+  result.frame = frame;
+  result.method = method;
+  result.blamed = "";
+  result.against = run->reference.number;
+  if (!is_usable(run, frame) || (!run->has_reference && !is_complete(run, frame))) {
+    result.kind = MISSING;
+  } else if (!run->has_reference || frame->number == run->reference.number) {
+    result.kind = REFERENCE;
+  } else if (base_status < 0) {
+    result.kind = FAILED;
+    result.status = base_status;
+    result.blamed = "the body it is relative to: ";
+  } else {
+    result.status = solve_pair(run, method, run->reference.points, seen->points, &result.screw, T);
+    result.kind = result.status < 0 ? FAILED : SOLVED;
+    if (result.kind == FAILED) result.blamed = blame(run, &result, seen);
+    if (result.kind == SOLVED) result.rms = rms_of(run, run->reference.points, seen, T);
+    if (result.kind == SOLVED) find_deviations(run, seen, &result);
+  }
+  return result;
 }
 
 static void print_result(const struct run *run, const struct result *result) {
@@ -302,6 +473,37 @@ static void print_result(const struct run *run, const struct result *result) {
   }
 }
 
+/* A line, or one for each method; what became of the frame. */
+static enum kind report_frame(const struct run *run, const struct frame *frame, const struct frame *seen,
+                              int base_status) {
+  const struct method *only = run->options->method;
+  enum kind kind = SOLVED;
+  for (int i = 0; i < METHODS; ++i) {
+    if (only != NULL && only != &methods[i]) continue;
+    const struct result result = solve_frame(run, frame, seen, base_status, &methods[i]);
+    print_result(run, &result);
+    if (result.kind != SOLVED) kind = result.kind;
+    if (!was_tried(&result)) break;
+  }
+  return kind;
+}
+
+static void take_frame(struct run *run, const struct frame *frame) {
+  struct frame seen = *frame;
+  const bool complete = is_complete(run, frame);
+  if (!run->has_base && complete) run->base = *frame;
+  run->has_base = run->has_base || complete;
+  const int base_status = is_usable(run, frame) && run->has_base ? see_from_base(run, &seen) : CHS_OK;
+  const enum kind kind = report_frame(run, frame, &seen, base_status);
+  ++run->frames;
+  if (kind == MISSING) ++run->missing;
+  if (kind == SOLVED) ++run->solved;
+  if (kind == FAILED) ++run->failed;
+  if (!complete || base_status < 0) return;
+  if (!run->has_reference || run->options->against == AGAINST_PREVIOUS) run->reference = seen;
+  run->has_reference = true;
+}
+
 static bool solve_frames(struct run *run) {
   struct frame frame;
   enum text_result read;
@@ -310,14 +512,7 @@ static bool solve_frames(struct run *run) {
   } else {
     print_csv_titles(run);
   }
-  while ((read = markers_next(&run->markers, run->chosen, &frame)) == TEXT_LINE) {
-    const struct result result = solve_frame(run, &frame);
-    print_result(run, &result);
-    count_result(run, &result);
-    if (result.is_missing) continue;
-    if (!run->has_reference || run->options->against == AGAINST_PREVIOUS) run->reference = frame;
-    run->has_reference = true;
-  }
+  while ((read = markers_next(&run->markers, run->chosen, run->all, &frame)) == TEXT_LINE) take_frame(run, &frame);
   return read == TEXT_END;
 }
 
@@ -334,15 +529,16 @@ static bool find_reference(struct run *run) {
   enum text_result read = TEXT_LINE;
   if (!open_markers(run)) return false;
   while (run->reference.number != wanted && read == TEXT_LINE) {
-    read = markers_next(&run->markers, run->chosen, &run->reference);
+    read = markers_next(&run->markers, run->chosen, run->all, &run->reference);
   }
   if (read == TEXT_END) {
     complain("%s has no frame %ld: it ends with frame %ld", run->markers.text.name, wanted, run->markers.frame);
-  } else if (read == TEXT_LINE && !is_complete(&run->reference)) {
+  } else if (read == TEXT_LINE && !is_complete(run, &run->reference)) {
     complain("%s:%ld: frame %ld cannot be the reference, a marker is missing in it", run->markers.text.name,
              run->reference.line, wanted);
   } else {
-    run->has_reference = read == TEXT_LINE;
+    run->has_reference = run->has_base = read == TEXT_LINE;
+    run->base = run->reference;
   }
   markers_close(&run->markers);
   return run->has_reference;
@@ -364,6 +560,13 @@ static bool open_output(struct run *run) {
   return run->csv != NULL;
 }
 
+/* Where everything fails against one reference, it is the first to suspect. */
+static void suspect_reference(const struct run *run) {
+  if (run->solved > 0 || run->failed < 2 || run->options->against == AGAINST_PREVIOUS) return;
+  complain("all frames fail against the reference, frame %ld: it may be to blame; try --against another frame",
+           run->reference.number);
+}
+
 static int solve(const struct options *options) {
   struct run run;
   memset(&run, 0, sizeof run);
@@ -378,7 +581,8 @@ static int solve(const struct options *options) {
   }
   markers_close(&run.markers);
   if (!good) return UNUSABLE;
-  if (!run.has_reference) complain("no frame has all three markers");
+  if (!run.has_reference) complain("no frame has all markers");
+  if (run.has_reference) suspect_reference(&run);
   return run.has_reference && run.failed == 0 ? ALL_WELL : SOMETHING_OVER;
 }
 
@@ -389,7 +593,7 @@ static bool read_method(const char *name, struct options *options) {
     options->method = &methods[i];
     if (strcmp(methods[i].name, name) == 0) return true;
   }
-  complain("--method expects bottema-roth or laub-shiflett, not '%s'", name);
+  complain("--method expects least-squares, laub-shiflett or bottema-roth, not '%s'", name);
   return false;
 }
 
@@ -405,45 +609,105 @@ static bool read_against(const char *word, struct options *options) {
   return true;
 }
 
-static bool read_tolerance(const char *word, struct options *options) {
-  if (read_number(word, &options->tolerance) && options->tolerance >= 0.0) return true;
-  complain("--tolerance expects a number of at least 0, not '%s'", word);
+static bool read_amount(const char *option, const char *word, double *amount) {
+  if (read_number(word, amount) && *amount >= 0.0) return true;
+  complain("%s expects a number of at least 0, not '%s'", option, word);
   return false;
 }
 
-/* Three names, all different, parted by commas. */
-static bool read_markers(const char *names, struct options *options) {
-  const char *second = strchr(names, ',');
-  const char *third = second == NULL ? NULL : strchr(second + 1, ',');
-  options->markers = names;
-  if (third != NULL && strchr(third + 1, ',') == NULL) {
-    const size_t a = (size_t)(second - names);
-    const size_t b = (size_t)(third - second - 1);
-    const size_t c = strlen(third + 1);
-    const bool ab = a == b && strncmp(names, second + 1, a) == 0;
-    const bool bc = b == c && strncmp(second + 1, third + 1, b) == 0;
-    const bool ca = c == a && strncmp(third + 1, names, c) == 0;
-    if (!ab && !bc && !ca) return true;
+static bool read_weights(const char *word, struct options *options) {
+  options->weight_count = read_number_list(word, options->weights, MOST_CHOSEN);
+  bool good = options->weight_count > 0;
+  for (int i = 0; i < options->weight_count; ++i) good = good && options->weights[i] >= 0.0;
+  if (!good) complain("--weights expects numbers of at least 0, parted by commas, not '%s'", word);
+  return good;
+}
+
+/* Whether the name stands in the list before it. */
+static bool is_repeated(const char *names, const char *name, size_t length) {
+  for (const char *other = names + strspn(names, " "); other < name; other += strspn(other, " ")) {
+    const size_t other_length = strcspn(other, ",");
+    if (other_length == length && strncmp(other, name, length) == 0) return true;
+    other += other_length + 1;
   }
-  complain("--markers expects three different names parted by commas, not '%s'", names);
+  return false;
+}
+
+/* How many names, all different, are parted by commas; 0 where some are the same or empty. */
+static int count_names(const char *names) {
+  int count = 0;
+  for (const char *name = names; name != NULL && count < MOST_CHOSEN; ++count) {
+    name += strspn(name, " ");
+    const size_t length = strcspn(name, ",");
+    if (length == 0 || is_repeated(names, name, length)) return 0;
+    name = name[length] == ',' ? name + length + 1 : NULL;
+  }
+  return count;
+}
+
+static bool read_markers(const char *option, const char *names, const char **markers) {
+  *markers = names;
+  const int count = count_names(names);
+  if (count >= 3 && count <= MOST_CHOSEN / 2) return true;
+  complain("%s expects 3 to %d different names parted by commas, not '%s'", option, MOST_CHOSEN / 2, names);
+  return false;
+}
+
+static bool read_points(const char *word, struct options *options) {
+  if (parse_integer(word, 3, MOST_CHOSEN / 2, &options->points)) return true;
+  complain("--points expects a number from 3 to %d, not '%s'", MOST_CHOSEN / 2, word);
+  return false;
+}
+
+/* What the options say together. */
+static bool options_agree(const struct options *options) {
+  const int points = options->markers == NULL ? (int)options->points : count_names(options->markers);
+  if (points > 3 && (options->method == NULL || options->method->solve != NULL)) {
+    complain("%d markers: only --method least-squares takes more than three", points);
+  } else if (options->weight_count > 0 && options->weight_count != points) {
+    complain("--weights has %d numbers for %d markers", options->weight_count, points);
+  } else if (options->weight_count > 0 && options->method != &methods[0]) {
+    complain("--weights needs --method least-squares");
+  } else if (options->sigma >= 0.0 && options->method != NULL && options->method->solve != NULL) {
+    complain("--covariance needs --method least-squares");
+  } else if (options->sigma >= 0.0 && options->relative_to != NULL) {
+    complain("--covariance knows the errors of one body and does not go with --relative-to");
+  } else if (options->against > 0 && strcmp(options->file, "-") == 0) {
+    complain("--against a frame's number reads the file twice, which standard input does not allow");
+  } else {
+    return true;
+  }
   return false;
 }
 
 /* Returns the exit status when the run ends here, or -1. */
 static int read_options(int argc, char **argv, struct options *options) {
-  static const struct option names[] = {
-      {"markers", required_argument, NULL, 'k'}, {"against", required_argument, NULL, 'a'},
-      {"method", required_argument, NULL, 'm'},  {"tolerance", required_argument, NULL, 't'},
-      {"degrees", no_argument, NULL, 'd'},       {"out", required_argument, NULL, 'o'},
-      {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0}};
+  static const struct option names[] = {{"markers", required_argument, NULL, 'k'},
+                                        {"points", required_argument, NULL, 'p'},
+                                        {"against", required_argument, NULL, 'a'},
+                                        {"relative-to", required_argument, NULL, 'r'},
+                                        {"method", required_argument, NULL, 'm'},
+                                        {"all-methods", no_argument, NULL, 'l'},
+                                        {"weights", required_argument, NULL, 'w'},
+                                        {"covariance", required_argument, NULL, 'c'},
+                                        {"tolerance", required_argument, NULL, 't'},
+                                        {"degrees", no_argument, NULL, 'd'},
+                                        {"out", required_argument, NULL, 'o'},
+                                        {"help", no_argument, NULL, 'h'},
+                                        {NULL, 0, NULL, 0}};
   bool good = true;
   int option;
   while (good && (option = getopt_long(argc, argv, ":h", names, NULL)) != -1) {
     switch (option) {
-    case 'k': good = read_markers(optarg, options); break;
+    case 'k': good = read_markers("--markers", optarg, &options->markers); break;
+    case 'p': good = read_points(optarg, options); break;
+    case 'r': good = read_markers("--relative-to", optarg, &options->relative_to); break;
     case 'a': good = read_against(optarg, options); break;
     case 'm': good = read_method(optarg, options); break;
-    case 't': good = read_tolerance(optarg, options); break;
+    case 'l': options->method = NULL; break;
+    case 'w': good = read_weights(optarg, options); break;
+    case 'c': good = read_amount("--covariance", optarg, &options->sigma); break;
+    case 't': good = read_amount("--tolerance", optarg, &options->tolerance); break;
     case 'd': options->degrees = true; break;
     case 'o': options->out = optarg; break;
     case 'h': fputs(solve_help, stdout); return ALL_WELL;
@@ -456,15 +720,17 @@ static int read_options(int argc, char **argv, struct options *options) {
     return UNUSABLE;
   }
   options->file = argv[optind];
-  if (options->against > 0 && strcmp(options->file, "-") == 0) {
-    complain("--against a frame's number reads the file twice, which standard input does not allow");
-    return UNUSABLE;
-  }
-  return -1;
+  return options_agree(options) ? -1 : UNUSABLE;
 }
 
 int solve_command(int argc, char **argv) {
-  struct options options = {NULL, NULL, &methods[0], AGAINST_FIRST, 0.05, false, NULL};
+  struct options options;
+  memset(&options, 0, sizeof options);
+  options.points = 3;
+  options.method = &methods[0];
+  options.sigma = -1.0;
+  options.against = AGAINST_FIRST;
+  options.tolerance = 0.05;
   const int status = read_options(argc, argv, &options);
   return status == -1 ? solve(&options) : status;
 }
