@@ -307,7 +307,7 @@ def check_displacement(rng):
     moved = [add(apply(R, p), travel) for p in points]
     worst = mpf(0)
     for method in METHODS:
-        q, doubt = quaternion(method, Triangle(points), Triangle(moved))
+        q, doubt = quaternion(method, Triangle(points), Triangle(moved), ldexp(1, -230))
         found = Displacement(q, Triangle(points), Triangle(moved))
         turned, shift = exact.screw_pose(found.axis, found.point, found.translation, found.angle)
         images = [add(apply(turned, p), shift) for p in points]
