@@ -22,7 +22,7 @@ extern "C" {
 /* The line from a through b, raw: (b - a; a x b). The moment is that of whichever point is nearer to the origin. The
  * error of the direction is relative to |b - a|, that of the moment to |b - a| times the smaller of |a| and |b|. */
 #define CHS_EPS_LINE_RAW_FROM_POINTS_DIRECTION 1.0
-#define CHS_EPS_LINE_RAW_FROM_POINTS_MOMENT 3.0
+#define CHS_EPS_LINE_RAW_FROM_POINTS_MOMENT 2.0
 void chs_line_raw_from_points(const double a[3], const double b[3], double L[6]);
 void chs_line_raw_from_pointsf(const float a[3], const float b[3], float L[6]);
 
@@ -30,14 +30,14 @@ void chs_line_raw_from_pointsf(const float a[3], const float b[3], float L[6]);
  * the smaller of |a| and |b|.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW, and CHS_ERR_COINCIDENT where a = b. */
 #define CHS_EPS_LINE_FROM_POINTS_DIRECTION 2.0
-#define CHS_EPS_LINE_FROM_POINTS_MOMENT 4.0
+#define CHS_EPS_LINE_FROM_POINTS_MOMENT 3.0
 int chs_line_from_points(const double a[3], const double b[3], double L[6]);
 int chs_line_from_pointsf(const float a[3], const float b[3], float L[6]);
 
 /* The line through p along d, a vector of any length but 0; the line's direction is d/|d|. Errors as above, with |p|.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW, and CHS_ERR_SINGULAR where d = 0. */
 #define CHS_EPS_LINE_FROM_DIRECTION_DIRECTION 2.0
-#define CHS_EPS_LINE_FROM_DIRECTION_MOMENT 4.0
+#define CHS_EPS_LINE_FROM_DIRECTION_MOMENT 3.0
 int chs_line_from_direction(const double p[3], const double d[3], double L[6]);
 int chs_line_from_directionf(const float p[3], const float d[3], float L[6]);
 
@@ -61,8 +61,8 @@ void chs_line_movef(const float T[16], const float L[6], float moved[6]);
  * With x = 0 this is the point of the line nearest to the origin. Errors are relative to |x| + |m|.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW, and CHS_ERR_ARGUMENT where the direction is not of
  * unit length. */
-#define CHS_EPS_LINE_PROJECT_FOOT 6.0
-#define CHS_EPS_LINE_PROJECT_DISTANCE 6.0
+#define CHS_EPS_LINE_PROJECT_FOOT 5.0
+#define CHS_EPS_LINE_PROJECT_DISTANCE 4.0
 int chs_line_project(const double L[6], const double x[3], double foot[3], double *distance);
 int chs_line_projectf(const float L[6], const float x[3], float foot[3], float *distance);
 
@@ -84,7 +84,7 @@ int chs_line_signed_anglef(const float A[6], const float B[6], const float about
  * Returns CHS_OK; CHS_INTERSECTING where it is no more than rounding, | d1.m2 + d2.m1 | <= 8 eps M; CHS_PARALLEL where
  * s <= 8 eps; CHS_COINCIDENT where also the distance is at most 8 eps M; CHS_ERR_NAN, CHS_ERR_INFINITE,
  * CHS_ERR_ARGUMENT, CHS_ERR_OVERFLOW. */
-#define CHS_EPS_LINE_DISTANCE 6.0
+#define CHS_EPS_LINE_DISTANCE 5.0
 int chs_line_distance(const double A[6], const double B[6], double *distance);
 int chs_line_distancef(const float A[6], const float B[6], float *distance);
 
@@ -103,11 +103,11 @@ int chs_line_distancef(const float A[6], const float B[6], float *distance);
  * The errors: the direction of X absolute, for parallel lines at a distance a relative to M/a; its moment and the feet
  * relative to M/s, for parallel lines the moment to M max(1, M/a) and the feet to M; the angle relative to itself; the
  * distance as above. Returns as chs_line_distance. */
-#define CHS_EPS_LINE_PERPENDICULAR_DIRECTION 6.0
+#define CHS_EPS_LINE_PERPENDICULAR_DIRECTION 3.0
 #define CHS_EPS_LINE_PERPENDICULAR_MOMENT 10.0
 #define CHS_EPS_LINE_PERPENDICULAR_FOOT 10.0
 #define CHS_EPS_LINE_PERPENDICULAR_ANGLE 4.0
-#define CHS_EPS_LINE_PERPENDICULAR_DISTANCE 6.0
+#define CHS_EPS_LINE_PERPENDICULAR_DISTANCE 5.0
 int chs_line_perpendicular(const double A[6], const double B[6], double X[6], double foot_a[3], double foot_b[3],
                            double *angle, double *distance);
 int chs_line_perpendicularf(const float A[6], const float B[6], float X[6], float foot_a[3], float foot_b[3],
