@@ -641,6 +641,88 @@ static void test_the_order_of_bottema_roth_is_that_of_the_side_that_turns_most(v
   TEST_ASSERT_EQUAL_INT(7, order);
 }
 
+/* The figures by which motion.h recommends a method: independent errors of a thousandth of the longest side in every
+ * coordinate, k <= 4, angles up to 3. */
+static void test_measuring_errors_disturb_the_methods_as_documented(void) {
+  const double documented[LENGTH(solvers)] = {1.97, 1.16, 1.12, 1, 1.19}; /* in the order of solvers[] */
+  double sum[LENGTH(solvers)] = {0};
+  for (int k = 0; k < 100 * CASES; k++) {
+    real initial[9], final[9], w[3], R[9], p[3], T[16], angle;
+    do
+      for (int m = 0; m < 9; m++) initial[m] = (real)(uniform(-1, 1) + uniform(-1, 1) + uniform(-1, 1));
+    while (scales_of(initial, initial).kappa > 4);
+    real side[3];
+    double longest = 0;
+    for (int m = 0; m < 3; m++) {
+      side_of(initial, m, side);
+      longest = fmax(longest, length_of(side, 3));
+    }
+    random_vector(uniform(0, 3), w);
+    random_vector(1, p);
+    FN(chs_so3_exp)(w, R);
+    FN(chs_se3_from_parts)(R, p, T);
+    for (int m = 0; m < 9; m += 3) FN(chs_se3_apply)(T, initial + m, final + m);
+    add_noise(0.001 * longest, initial);
+    add_noise(0.001 * longest, final);
+    for (int m = 0; m < LENGTH(solvers); m++) {
+      real found[9];
+      TEST_ASSERT_GREATER_OR_EQUAL(0, solvers[m].solve(initial, final, K(0.1), NULL, T));
+      FN(chs_se3_to_parts)(T, found, p);
+      FN(chs_so3_angle)(R, found, &angle);
+      sum[m] += (double)angle * (double)angle;
+    }
+  }
+  for (int m = 0; m < LENGTH(solvers); m++) {
+    char name[80];
+    snprintf(name, sizeof name, "%s: %.3f", solvers[m].name, sqrt(sum[m] / sum[3]));
+    TEST_ASSERT_TRUE_MESSAGE(fabs(sqrt(sum[m] / sum[3]) - documented[m]) < 0.05 * documented[m], name);
+  }
+}
+
+static void test_methods_by_their_number(void) {
+  static const struct {
+    chs_motion_method method;
+    int (*solve)(const real initial[9], const real final[9], real tolerance, screw *s, real T[16]);
+  } methods[] = {
+      {CHS_MOTION_DEFAULT, FN(chs_motion_spoor_veldpaus)},
+      {CHS_MOTION_ANGELES, FN(chs_motion_angeles)},
+      {CHS_MOTION_LAUB_SHIFLETT, FN(chs_motion_laub_shiflett)},
+      {CHS_MOTION_BOTTEMA_ROTH, FN(chs_motion_bottema_roth)},
+      {CHS_MOTION_SPOOR_VELDPAUS, FN(chs_motion_spoor_veldpaus)},
+      {CHS_MOTION_BEGGS, FN(chs_motion_beggs)},
+  };
+  for (int k = 0; k < CASES; k++) {
+    displacement d = random_displacement(integer(0, 5));
+    real initial[9], final[9], T[16], expected_T[16];
+    points_of(&d, initial, final);
+    add_noise(0.01 * length_of(initial, 9), final);
+    for (int m = 0; m < LENGTH(methods); m++) {
+      screw s, expected;
+      memset(&s, 0, sizeof s);
+      memset(&expected, 0, sizeof expected);
+      memset(T, 0, sizeof T);
+      memset(expected_T, 0, sizeof expected_T);
+      ASSERT_STATUS(methods[m].solve(initial, final, K(0.1), &expected, expected_T),
+                    FN(chs_motion_from_three)(methods[m].method, initial, final, K(0.1), &s, T));
+      ASSERT_SAME_BITS(expected_T, T, 16);
+      ASSERT_SAME_BITS(expected.axis, s.axis, 8);
+    }
+  }
+}
+
+static void test_a_method_that_is_none_is_refused(void) {
+  const real points[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const int none[] = {6, 7, 100};
+  for (int k = 0; k < LENGTH(none); k++) {
+    struct {
+      screw s;
+      real T[16];
+    } out;
+    ASSERT_REFUSES(CHS_ERR_ARGUMENT, out,
+                   FN(chs_motion_from_three)((chs_motion_method)none[k], points, points, tolerance, &out.s, out.T));
+  }
+}
+
 static void test_outputs_may_be_left_out(void) {
   displacement turning = random_displacement(2), sliding = random_displacement(1);
   sliding.q = turn_of(1, 0, 0, 0);
@@ -803,6 +885,9 @@ int main(void) {
   RUN_TEST(test_equal_moments_leave_angeles_the_turn_that_fits_best);
   RUN_TEST(test_noise_is_not_magnified_beyond_the_condition_number);
   RUN_TEST(test_the_order_of_bottema_roth_is_that_of_the_side_that_turns_most);
+  RUN_TEST(test_measuring_errors_disturb_the_methods_as_documented);
+  RUN_TEST(test_methods_by_their_number);
+  RUN_TEST(test_a_method_that_is_none_is_refused);
   RUN_TEST(test_outputs_may_be_left_out);
   RUN_TEST(test_degenerate_triangles_are_refused_wherever_they_are);
   RUN_TEST(test_the_worst_of_several_faults_is_named);

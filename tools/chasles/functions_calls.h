@@ -177,6 +177,14 @@ static int LOCAL(worst)(const REAL *in, REAL *out) {
   return LIB(tilt_worst)(LOCAL(eye), NULL, 3, in, in + 3, 2, 1, scratch, out, NULL);
 }
 
+static int LOCAL(by_method)(const REAL *in, REAL *out) {
+  SCREW screw = LOCAL(get_screw)(out);
+  const chs_motion_method method = (chs_motion_method)LOCAL(whole)(in[19]);
+  const int status = LIB(motion_from_three)(method, in, in + 9, in[18], &screw, out + 8);
+  LOCAL(put_screw)(&screw, out);
+  return status;
+}
+
 static int LOCAL(order_of_points)(const REAL *in, REAL *out) {
   int order;
   const int status = LIB(motion_bottema_roth_order)(in, in + 9, in[18], &order);

@@ -425,6 +425,32 @@ def bands(fmt, rng):
     return result + sampling.spoilt(examples(fmt)[0], range(0, 18))
 
 
+BY_NUMBER = dict(
+    enumerate(["spoor_veldpaus", "angeles", "laub_shiflett", "spoor_veldpaus", "bottema_roth", "beggs"])
+)
+
+
+def evaluate_by_number(fmt, x):
+    return evaluate("motion_" + BY_NUMBER[int(x[19])])(fmt, x)
+
+
+def bands_by_number(fmt, rng):
+    """Some cases for each method by its number, and numbers of none."""
+
+    def numbered(build):
+        return lambda fmt, rng, k: build(fmt, rng, k) + [mpf(k % 6)]
+
+    result = [
+        Band("ordinary", 36, numbered(of_angle("ordinary"))),
+        Band("at_pi", 12, numbered(half_turn)),
+        Band("noisy", 36, numbered(noisy)),
+        Band("pure_translation", 6, numbered(pure_translation)),
+    ]
+    result.append(Errors(-11, [examples(fmt)[0] + [mpf(n)] for n in (-1, 6, 100)], "no_method"))
+    result.append(Errors(-10, [numbered(not_rigid)(fmt, rng, k) for k in range(6)], "not_rigid"))
+    return result + sampling.spoilt(examples(fmt)[0] + [mpf(0)], range(0, 18))
+
+
 def order_bands(fmt, rng):
     """Those in which rounding does not decide, and the errors."""
     undecided = ("equilateral", "example")
@@ -435,3 +461,4 @@ FUNCTIONS = [Function(name, 19, GROUPS, evaluate(name), bands) for name in METHO
 FUNCTIONS.append(
     Function("motion_bottema_roth_order", 19, [Group("order", "max", (0,))], evaluate_order, order_bands)
 )
+FUNCTIONS.append(Function("motion_from_three", 20, GROUPS, evaluate_by_number, bands_by_number))
