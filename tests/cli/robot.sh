@@ -1,4 +1,4 @@
-# chasles fk: the robots that come with the program, and robot files that are not what they should be.
+# chasles fk, ik and dh: the robots that come with the program, and robot files that are not what they should be.
 PROGRAM=$1
 . "$(dirname "$0")/expect.sh"
 ROBOTS=$3
@@ -44,8 +44,10 @@ out_lacks 'determinant'
 run 0 fk --jacobian space --links "$ROBOTS/ur5e.robot" 0 0 0 0 0 0
 out_has 'link 6'
 out_has 'determinant'
-run 0 fk --exact "$ROBOTS/ur5e.robot" 0 0 0 0 0 0
-[ "$(sed -n 2p out)" = '0 0 -1 -0.2329' ] || fail 'a digit is missing or too many'
+run 0 fk --exact "$ROBOTS/scara.robot" 0 0 0 0
+[ "$(cat out)" = "1 0 0 800
+0 -1 0 0
+0 0 -1 677" ] || fail 'a digit is missing or too many'
 
 # The same arm from its screws and from both conventions of Denavit and Hartenberg.
 cat >arm.screws <<'END'
@@ -73,6 +75,96 @@ run 0 fk --exact arm.standard 30 -40 0.125
 awk 'NR == FNR { want[FNR] = $0; next } { n = split(want[FNR], x, " ")
   for (i = 1; i <= n; i++) if ($i - x[i] > 1e-12 || x[i] - $i > 1e-12) bad = 1 } END { exit bad }' expected out ||
   fail 'screws and Denavit-Hartenberg rows differ'
+
+# same FILE: every number of FILE is that of what was printed.
+same() {
+  awk 'NR == FNR { want[FNR] = $0; next } { n = split(want[FNR], x, " "); if (n != NF) bad = 1
+    for (i = 1; i <= n; i++) if ($i - x[i] > 1e-7 || x[i] - $i > 1e-7) bad = 1 } END { exit bad }' "$1" out ||
+    fail "the numbers differ from those of $1: $(cat "$1")"
+}
+
+# Each robot in each of the three ways, and back again.
+again() {
+  robot=$1
+  shift
+  run 0 fk --exact "$ROBOTS/$robot.robot" "$@"
+  cp out expected
+  for rows in screws dh-standard dh-modified; do
+    run 0 dh --rows $rows "$ROBOTS/$robot.robot"
+    cp out $rows.robot
+    file_has $rows.robot "rows $rows"
+    file_has $rows.robot limits
+    run 0 fk --exact $rows.robot "$@"
+    same expected
+    for back in screws dh-standard dh-modified; do
+      run 0 dh --rows $back $rows.robot
+      cp out back.robot
+      run 0 fk --exact back.robot "$@"
+      same expected
+    done
+  done
+}
+again ur5e 10 -80 70 20 60 5
+again puma560 10 -80 70 20 60 5
+again panda 0.1 -0.2 0.3 -1.4 0.5 0.6 0.7
+again scara 10 -80 70 20
+run 0 dh "$ROBOTS/scara.robot"
+out_has 'revolute 425 0 0 0  limits -150 150'
+out_has 'revolute 375 180 0 0  limits -140 140'
+run 2 dh --rows four "$ROBOTS/ur5e.robot"
+err_is "chasles: --rows expects dh-standard, dh-modified or screws, not 'four'"
+run 2 dh --tolerance -1 "$ROBOTS/ur5e.robot"
+err_is "chasles: --tolerance expects a number of at least 0, not '-1'"
+run 2 dh
+err_is "chasles: dh expects one file of a robot; see 'chasles help dh'"
+sed '6s/revolute  0 -1 0 0 5 0.5/helical 0 -1 0 0 5 0.5 0.01/' arm.screws >nut.robot
+run 2 dh nut.robot
+err_is "chasles: joint 2 of arm is helical, which Denavit and Hartenberg's parameters cannot tell"
+run 0 dh --rows screws nut.robot
+out_has 'helical 0 -1 0 0 0 0.5 0.01'
+
+# What forward kinematics gave, inverse kinematics takes back.
+for robot in 'ur5e 10 -80 70 20 60 5' 'puma560 10 -80 70 20 60 5' 'scara 10 -80 70 20'; do
+  set -- $robot
+  name=$1
+  shift
+  run 0 fk --exact "$ROBOTS/$name.robot" "$@"
+  pose=$(cat out)
+  for method in newton damped; do
+    run 0 ik --exact --method $method "$ROBOTS/$name.robot" $pose
+    run 0 fk --exact "$ROBOTS/$name.robot" $(cat out)
+    echo "$pose" >expected
+    same expected
+  done
+  run 0 ik --start "$(echo "$*" | tr ' ' ,)" --exact "$ROBOTS/$name.robot" $pose
+  echo "$*" >expected
+  same expected
+done
+run 0 ik "$ROBOTS/ur5e.robot" 0.4 -0.2 0.3 0 180 0
+out_has ': ok'
+run 1 ik "$ROBOTS/ur5e.robot" 1.4 -0.2 0.3 0 180 0
+out_has ' m: '
+run 1 ik --exact --restarts 2 "$ROBOTS/scara.robot" 3000 0 100 0 180 0
+run 1 ik --steps 0 --restarts 0 "$ROBOTS/ur5e.robot" 0.4 -0.2 0.3 0 180 0
+out_has 'not converged in the steps allowed'
+run 2 ik "$ROBOTS/ur5e.robot" 1 2 3
+err_is "chasles: a pose has 6 or 12 numbers, and 3 are given; see 'chasles help ik'"
+run 2 ik "$ROBOTS/ur5e.robot" 1 2 3 4 5 x
+err_is "chasles: expected a number of a pose, not 'x'"
+run 2 ik "$ROBOTS/ur5e.robot" 1 0 0 0 0 1 0 0 0 0 -1 0
+err_is 'chasles: a matrix is a reflection'
+run 2 ik --start 1,2 "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
+err_is "chasles: --start expects 6 numbers parted by commas, not '1,2'"
+run 2 ik --method guess "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
+err_is "chasles: --method expects newton or damped, not 'guess'"
+run 2 ik --angle 1 "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
+err_is "chasles: --angle expects an angle above 0 with rad or deg behind it, not '1'"
+run 2 ik --length 0 "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
+err_is "chasles: --length expects a number above 0, not '0'"
+run 2 ik --steps many "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
+err_is "chasles: --steps expects a number from 0 to 1000000, not 'many'"
+run 2 ik
+err_is "chasles: ik expects the file of a robot; see 'chasles help ik'"
 
 # Arguments.
 run 2 fk

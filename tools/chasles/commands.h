@@ -5,14 +5,18 @@
 int agile_eye_command(int argc, char **argv);
 int arm_error_command(int argc, char **argv);
 int compare_command(int argc, char **argv);
+int dh_command(int argc, char **argv);
 int fk_command(int argc, char **argv);
+int ik_command(int argc, char **argv);
 int hash_command(int argc, char **argv);
 int solve_command(int argc, char **argv);
 
 extern const char agile_eye_help[];
 extern const char arm_error_help[];
 extern const char compare_help[];
+extern const char dh_help[];
 extern const char fk_help[];
+extern const char ik_help[];
 extern const char hash_help[];
 extern const char solve_help[];
 

@@ -15,6 +15,8 @@ static const char help[] =
     "  compare DIR_OR_FILE...  compare the library with reference vectors and print the errors\n"
     "  solve FILE.csv          find the screw motion of a body from measured markers\n"
     "  fk ROBOT VALUE...       forward kinematics: the pose of a robot's tool, its links, its Jacobian\n"
+    "  ik ROBOT NUMBER...      inverse kinematics: the joint values at which the tool has a pose\n"
+    "  dh ROBOT                tell a robot by Denavit and Hartenberg's parameters, or by screws\n"
     "  agile-eye               map the rotational errors of the Agile Eye over its orientations\n"
     "  arm-error ROBOT [q...]  find how wrong an arm's tool can be when its joints are\n"
     "  hash                    print one hash of the bits of all results over a large set of inputs\n"
@@ -40,6 +42,8 @@ static const struct command commands[] = {
     {"compare", compare_command, compare_help},
     {"solve", solve_command, solve_help},
     {"fk", fk_command, fk_help},
+    {"ik", ik_command, ik_help},
+    {"dh", dh_command, dh_help},
     {"agile-eye", agile_eye_command, agile_eye_help},
     {"arm-error", arm_error_command, arm_error_help},
     {"hash", hash_command, hash_help},

@@ -19,7 +19,8 @@ struct reading {
   enum rows rows;
   bool has_angles;
   bool has_home;
-  double base[16]; /* where the next frame of Denavit and Hartenberg starts */
+  double dh[4 * MOST_JOINTS]; /* with base and tool, in place of screws and home */
+  double base[16];
   double tool[16];
 };
 
@@ -90,36 +91,9 @@ static bool read_pose(const struct reading *reading, char *line, double T[16]) {
 
 /* ---- Joints ---- */
 
-/* What is one or zero but for rounding, as after a turn by 90 degrees, is one or zero. */
-static void tidy(double T[16]) {
-  for (int i = 0; i < 12; ++i) {
-    const double whole = i % 4 == 3 ? T[i] : floor(T[i] + 0.5);
-    if (fabs(T[i] - whole) < 0x1p-50) T[i] = whole;
-  }
-}
-
-/* T moved along its own axis 0 or 2, x or z, and about it. */
-static void move_along(double T[16], int axis, double angle, double travel) {
-  chs_screw screw = {{0, 0, 0}, {0, 0, 0}, travel, angle};
-  double step[16];
-  screw.axis[axis] = 1.0;
-  chs_screw_to_pose(&screw, step);
-  chs_se3_compose(T, step, T);
-  tidy(T);
-}
-
-static bool add_dh_row(struct reading *reading, bool turns, const double row[4]) {
-  static const double about_z[6] = {0, 0, 1, 0, 0, 0};
-  static const double along_z[6] = {0, 0, 0, 0, 0, 1};
-  struct robot *robot = reading->robot;
-  const double alpha = angle_of(robot, row[1]);
-  const double theta = angle_of(robot, row[3]);
-  double *T = reading->base;
-  if (reading->rows == DH_MODIFIED) move_along(T, 0, alpha, row[0]);
-  chs_se3_adjoint_twist(T, turns ? about_z : along_z, robot->screws + 6 * robot->joints);
-  move_along(T, 2, theta, row[2]);
-  if (reading->rows == DH_STANDARD) move_along(T, 0, alpha, row[0]);
-  return true;
+static void add_dh_row(struct reading *reading, const double row[4]) {
+  double *dh = reading->dh + 4 * reading->robot->joints;
+  for (int i = 0; i < 4; ++i) dh[i] = i % 2 == 0 ? row[i] : angle_of(reading->robot, row[i]);
 }
 
 static bool add_screw_row(struct reading *reading, const char *type, const double *row) {
@@ -127,6 +101,7 @@ static bool add_screw_row(struct reading *reading, const char *type, const doubl
   const int status = strcmp(type, "prismatic") == 0  ? chs_screw_prismatic(row, S)
                      : strcmp(type, "revolute") == 0 ? chs_screw_revolute(row + 3, row, S)
                                                      : chs_screw_helical(row + 3, row, row[6], S);
+  reading->robot->pitch[reading->robot->joints] = strcmp(type, "helical") == 0 ? row[6] : 0.0;
   return status >= 0 || expected(reading, "0 0 0", "the direction of an axis");
 }
 
@@ -165,7 +140,8 @@ static bool read_joint(struct reading *reading, const char *type, char *line) {
   const bool turns = strcmp(type, "prismatic") != 0;
   robot->turns[robot->joints] = turns;
   if (!next_numbers(reading, &line, numbers_of_row(reading->rows, type), row)) return false;
-  if (!(reading->rows == SCREWS ? add_screw_row(reading, type, row) : add_dh_row(reading, turns, row))) return false;
+  if (reading->rows != SCREWS) add_dh_row(reading, row);
+  if (reading->rows == SCREWS && !add_screw_row(reading, type, row)) return false;
   if (!read_limits(reading, line)) return false;
   ++robot->joints;
   return true;
@@ -200,8 +176,7 @@ static bool read_home(struct reading *reading, char *line) {
 }
 
 static bool read_base(struct reading *reading, char *line) {
-  if (reading->rows == SCREWS || reading->robot->joints > 0)
-    return expected(reading, "base", "'base' before the joints of Denavit and Hartenberg only");
+  if (reading->rows == SCREWS) return expected(reading, "base", "'base' with rows of Denavit and Hartenberg only");
   return read_pose(reading, line, reading->base);
 }
 
@@ -229,14 +204,46 @@ static bool read_line(struct reading *reading, char *line) {
   return expected(reading, word, "robot, angles, lengths, rows, revolute, prismatic, helical, home, base or tool");
 }
 
+/* What is one or zero but for rounding, as after a turn by 90 degrees, is one or zero. */
+static void tidy(double *x, int count) {
+  for (int i = 0; i < count; ++i) {
+    const double whole = floor(x[i] + 0.5);
+    if (fabs(x[i] - whole) < 0x1p-50) x[i] = whole;
+  }
+}
+
+/* Screws and the pose at zero from the rows of Denavit and Hartenberg. */
+static bool convert_dh(struct reading *reading) {
+  struct robot *robot = reading->robot;
+  double axes[6 * MOST_JOINTS];
+  const int convention = reading->rows == DH_STANDARD ? CHS_DH_STANDARD : CHS_DH_MODIFIED;
+  const int status =
+      chs_line_from_dh(robot->joints, convention, reading->base, reading->dh, reading->tool, axes, robot->home);
+  if (status < 0) {
+    text_expected(&reading->text, NULL, "rows of Denavit and Hartenberg that give a robot: %s",
+                  chs_status_text(status));
+    return false;
+  }
+  for (int i = 0; i < 3; ++i) tidy(robot->home + 4 * i, 3);
+  for (int i = 0; i < robot->joints; ++i) {
+    const double *axis = axes + 6 * i;
+    double *S = robot->screws + 6 * i;
+    tidy(axes + 6 * i, 3);
+    for (int k = 0; k < 3; ++k) {
+      S[k] = robot->turns[i] ? axis[k] : 0.0;
+      S[3 + k] = robot->turns[i] ? axis[3 + k] : axis[k];
+    }
+  }
+  return true;
+}
+
 /* What a whole file must have. */
 static bool finish(struct reading *reading) {
   struct robot *robot = reading->robot;
   if (robot->joints == 0) text_expected(&reading->text, NULL, "a joint");
   if (robot->joints > 0 && reading->rows == SCREWS && !reading->has_home) text_expected(&reading->text, NULL, "'home'");
   if (robot->joints == 0 || (reading->rows == SCREWS && !reading->has_home)) return false;
-  if (reading->rows != SCREWS) chs_se3_compose(reading->base, reading->tool, robot->home);
-  return true;
+  return reading->rows == SCREWS || convert_dh(reading);
 }
 
 bool robot_read(struct robot *robot, const char *name) {

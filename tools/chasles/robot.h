@@ -34,6 +34,7 @@ struct robot {
   bool degrees;
   int joints;
   bool turns[MOST_JOINTS];        /* whether the joint value is an angle */
+  double pitch[MOST_JOINTS];      /* of a helical joint, otherwise 0 */
   double screws[6 * MOST_JOINTS]; /* in the space form */
   double home[16];
   double limits[2 * MOST_JOINTS]; /* in radians; infinite where the file has none */
