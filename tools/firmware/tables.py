@@ -146,7 +146,7 @@ def read_calls(target):
     """name -> names that it calls, and the bytes of stack that its instructions take."""
     calls, taken, name = collections.defaultdict(set), collections.defaultdict(int), None
     indirect = set()
-    for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", target.program("device")).splitlines():
+    for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", target.program("device_count")).splitlines():
         start = re.match(r"[0-9a-f]+ <([^>]+)>:$", line)
         if start:
             name = start.group(1)
@@ -197,7 +197,7 @@ def count(target, program, host, only):
         command += ["--only", ",".join(sorted(only))]
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           check=False)
-    if done.returncode == 2 or (done.returncode and program == "device"):
+    if done.returncode == 2 or (done.returncode and program == "device_count"):
         sys.exit(f"{target.name}: {program}:\n{done.stdout}")
     counts = {}
     for row in csv.DictReader(table.open()):
@@ -211,7 +211,7 @@ def count(target, program, host, only):
 def measure_instructions(target, host, only):
     overhead = count(target, "device_hollow", host, only)
     result = {}
-    for program, label in (("device", None), ("device_textbook", TEXTBOOK)):
+    for program, label in (("device_count", None), ("device_textbook", TEXTBOOK)):
         names = only
         if label:
             names = {name for name in TEXTBOOK_FUNCTIONS if not only or name in only}

@@ -27,7 +27,7 @@ OPTIONAL unsigned port_window(void) { return 0; }
 OPTIONAL void port_count_start(void) {}
 OPTIONAL uint32_t port_count_stop(void) { return 0; }
 
-/* The count of a call that does nothing, to be taken off. */
+/* The count of a call that does nothing, to be taken off; 0 where nothing is counted. */
 static uint32_t empty_count;
 
 static int empty_call(const double *in, double *out) {
@@ -36,7 +36,6 @@ static int empty_call(const double *in, double *out) {
   return 0;
 }
 
-/* A call of its own, so that nothing but the function is counted. */
 static uint32_t count_call(const struct function *function, enum precision precision, const double *in) {
   static double out[MAX_OUTPUTS];
   static float outf[MAX_OUTPUTS];
@@ -50,6 +49,12 @@ static uint32_t count_call(const struct function *function, enum precision preci
   port_count_start();
   function->callf(inf, outf);
   return port_count_stop();
+}
+
+/* A call of its own, so that nothing but the function is counted. */
+static uint32_t net_count(const struct function *function, enum precision precision, const double *in) {
+  const uint32_t count = empty_count == 0 ? 0 : count_call(function, precision, in);
+  return count > empty_count ? count - empty_count : 0;
 }
 
 static void calibrate(void) {
@@ -94,12 +99,11 @@ static void call(uint32_t id, const struct function *function, enum precision pr
   static struct frame frame;
   static struct answer answer;
   evaluate(function, precision, in, &answer);
-  const uint32_t count = count_call(function, precision, in);
   frame_begin(&frame, id);
   frame_add_word(&frame, "=");
   frame_add_hex(&frame, (uint32_t)answer.status, 8);
   frame_add_word(&frame, memory_word(&answer));
-  frame_add_hex(&frame, count > empty_count ? count - empty_count : 0, 8);
+  frame_add_hex(&frame, net_count(function, precision, in), 8);
   for (int i = 0; i < function->outputs && answer.status >= 0; ++i) {
     frame_add_hex(&frame, precision_bits(answer.out[i], precision), precision_digits(precision));
   }
