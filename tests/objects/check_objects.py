@@ -6,45 +6,51 @@
   stdio, none of libm's transcendental functions.
 - Every symbol that a program can see starts with chs_.
 - No writable data, initialised or not: every function can be called from any thread and any interrupt.
-- Objects of the single-precision sources (so3f and so on) hold no double-precision arithmetic (x86-64 only).
+- Objects of the single-precision sources (so3f and so on) hold no double-precision arithmetic: neither instructions
+  (x86-64, Arm, RISC-V) nor calls of the compiler's helpers for soft float.
+- No function calls itself, directly or through others.
 """
 
 import argparse
 import collections
 import re
-import subprocess
 import sys
+
+import call_graph
+from call_graph import members, run
 
 ALLOWED = {
     "sqrt", "sqrtf", "fabs", "fabsf",  # exact by IEEE 754; mostly one instruction
-    "memcpy", "memmove", "memset",  # what compilers make of copies; C has them everywhere
+    "memcpy", "memset", "memmove",  # what compilers make of copies
     "_GLOBAL_OFFSET_TABLE_", "__stack_chk_fail",  # position-independent and hardened code
 }
 
+# What compilers call where the processor has no such instruction: integers, then numbers of either precision.
+INTEGER_HELPERS = re.compile(r"__aeabi_u?idiv(mod)?|__u?(div|mod)si3|__gnu_thumb1_case_\w+")
+SINGLE_HELPERS = re.compile(r"__aeabi_(f(add|sub|rsub|mul|div|cmp\w+)|u?i2f|f2u?iz)|__(add|sub|mul|div|neg)sf3"
+                            r"|__(eq|ne|lt|le|gt|ge|unord)sf2|__float(un)?sisf|__fix(uns)?sfsi")
+DOUBLE_HELPERS = re.compile(r"__aeabi_(d(add|sub|rsub|mul|div|cmp\w+)|u?i2d|d2u?iz)|__(add|sub|mul|div|neg)df3"
+                            r"|__(eq|ne|lt|le|gt|ge|unord)df2|__float(un)?sidf|__fix(uns)?dfsi")
+
 # Arithmetic, comparison and conversion in double; moves and shuffles of 64 bits serve pairs of floats too. x87 code,
 # whose mnemonics all start with f, has no place in either precision.
-DOUBLE_INSTRUCTION = re.compile(
-    r"v?(add|sub|mul|div|sqrt|min|max|round|u?comi|cmp[a-z]*|hadd|hsub|addsub|dp|fn?m(add|sub)[0-9]*)[sp]d"
-    r"|v?cvt[a-z0-9]*[sp]d[a-z0-9]*|f[a-z0-9]+")
+DOUBLE_INSTRUCTION = {
+    "x86-64": re.compile(
+        r"v?(add|sub|mul|div|sqrt|min|max|round|u?comi|cmp[a-z]*|hadd|hsub|addsub|dp|fn?m(add|sub)[0-9]*)[sp]d"
+        r"|v?cvt[a-z0-9]*[sp]d[a-z0-9]*|f[a-z0-9]+"),
+    "arm": re.compile(r"v(?!mov|ldr|str)[a-z]+\S*\.f64\S*"),
+    "riscv": re.compile(r"f(?!ld|sd)[a-z]+\S*\.d(\.\S+)?"),
+}
 
 
-def run(*command):
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+def is_single_precision(member):
+    return re.match(r"[a-z0-9_]+f\.", member) is not None
 
 
-def members(dump):
-    """Part objdump's output, GNU's or LLVM's, into (object's name, lines)."""
-    name, lines = None, []
-    for line in dump.splitlines():
-        # so3.c.o:     file format elf64-x86-64, or libchasles.a(so3.c.o): ...
-        found = re.match(r"(?:.*\()?([^()]+)\)?:\s+file format", line)
-        if found:
-            if name:
-                yield name, lines
-            name, lines = found.group(1), []
-        lines.append(line)
-    if name:
-        yield name, lines
+def is_allowed(symbol, member):
+    if symbol in ALLOWED or INTEGER_HELPERS.fullmatch(symbol):
+        return True
+    return bool((SINGLE_HELPERS if is_single_precision(member) else DOUBLE_HELPERS).fullmatch(symbol))
 
 
 def check_symbols(nm, library):
@@ -56,8 +62,10 @@ def check_symbols(nm, library):
             undefined[symbol].add(where)
         else:
             defined.add(symbol)
-    for symbol in sorted(set(undefined) - defined - ALLOWED):
-        yield f"{symbol} is needed by {' '.join(sorted(undefined[symbol]))}"
+    for symbol in sorted(set(undefined) - defined):
+        wrong = sorted(where for where in undefined[symbol] if not is_allowed(symbol, re.search(r"[^\[(]+$", where)[0]))
+        if wrong:
+            yield f"{symbol} is needed by {' '.join(wrong)}"
     for symbol in sorted(defined):
         if not symbol.startswith("chs_"):
             yield f"{symbol} is visible to programs but does not start with chs_"
@@ -75,15 +83,15 @@ def check_sections(objdump, library):
                 yield f"{name} has {int(found.group(3), 16)} bytes of writable data in {found.group(1)}{found.group(2)}"
 
 
-def check_single_precision(objdump, library):
+def check_single_precision(objdump, library, instruction):
     checked = 0
     for name, lines in members(run(objdump, "-d", "--no-show-raw-insn", library)):
-        if not re.match(r"[a-z0-9_]+f\.", name):
+        if not is_single_precision(name):
             continue
         checked += 1
         for line in lines:
             found = re.match(r"\s*[0-9a-f]+:\s+(\S+)", line)
-            if found and DOUBLE_INSTRUCTION.fullmatch(found.group(1)):
+            if found and instruction.fullmatch(found.group(1)):
                 yield f"{name} computes in double: {line.strip()}"
     if not checked:
         yield "no object of a single-precision source was found"
@@ -98,10 +106,15 @@ def main():
 
     faults = list(check_symbols(arguments.nm, arguments.library))
     faults += check_sections(arguments.objdump, arguments.library)
-    if "x86-64" in run(arguments.objdump, "-f", arguments.library):
-        faults += check_single_precision(arguments.objdump, arguments.library)
+    kind = run(arguments.objdump, "-f", arguments.library)
+    instruction = next((DOUBLE_INSTRUCTION[name] for name in DOUBLE_INSTRUCTION if name in kind), None)
+    if instruction:
+        faults += check_single_precision(arguments.objdump, arguments.library, instruction)
     else:
-        print("instructions not looked at: not x86-64")
+        print("instructions not looked at: neither x86-64 nor Arm nor RISC-V")
+    circle = call_graph.cycle(call_graph.read(arguments.objdump, arguments.library))
+    if circle:
+        faults.append(f"{' calls '.join(circle)}")
     for fault in faults:
         print(fault)
     print(f"{len(faults)} faults in {arguments.library}")

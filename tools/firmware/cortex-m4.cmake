@@ -7,5 +7,6 @@ set(target_memory CODE=0 RAM=0x20000000 RAM_SIZE=0x400000)
 set(target_sources board/double_sum.c) # libgcc's own is not IEEE 754's
 set(target_link_options LINKER:--wrap=__aeabi_dadd,--wrap=__aeabi_dsub)
 set(target_unit_tests ON)
+set(target_example ON)
 set(target_ticks 6400) # of SysTick to a thousand instructions with -icount shift=8
 include(${CMAKE_CURRENT_LIST_DIR}/arm.cmake)

@@ -44,11 +44,11 @@ def run(*command, **options):
     return done.stdout
 
 
-def build(directory, *arguments):
+def build(directory, goals, *arguments):
     """Configure and build; with the compiler's notes on each function's stack."""
     environment = {**os.environ, "CFLAGS": "-fstack-usage"}
     run("cmake", "-S", ROOT, "-B", directory, "-DCHASLES_BUILD_TESTS=OFF", *arguments, env=environment)
-    run("cmake", "--build", directory, "--parallel", os.cpu_count() or 1)
+    run("cmake", "--build", directory, "--parallel", os.cpu_count() or 1, "--target", *goals)
 
 
 class Target:
@@ -56,7 +56,8 @@ class Target:
 
     def __init__(self, name, option, directory):
         self.name, self.directory = name, directory / f"{name}{option}"
-        build(self.directory, f"-DCMAKE_TOOLCHAIN_FILE={HERE / name}.cmake",
+        goals = ["device_count", "device_hollow", "device_textbook"] if option == "-O2" else ["chasles"]
+        build(self.directory, goals, f"-DCMAKE_TOOLCHAIN_FILE={HERE / name}.cmake",
               "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", f"-DCMAKE_BUILD_TYPE={BUILD_TYPES[option]}")
         commands = json.loads((self.directory / "compile_commands.json").read_text())
         self.compiler, *words = commands[0]["command"].split()
@@ -90,7 +91,8 @@ def linked_bytes(target, symbols):
     """Bytes in flash of a program that holds these functions and what they need."""
     output = target.directory / ("links-" + re.sub(r"\W", "", symbols[0]) + str(len(symbols)))
     roots = [f"-Wl,-u,{symbol}" for symbol in symbols]
-    run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{symbols[0]}", *roots,
+    run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", "-T", HERE / "board" / "sections.ld",
+        "-Wl,--defsym=CODE=0,--defsym=RAM=0x20000000,--defsym=RAM_SIZE=0x10000", f"-Wl,-e,{symbols[0]}", *roots,
         target.library, "-lm", "-o", output)
     size = run(target.tool("size"), output).splitlines()[1].split()
     output.unlink()
@@ -312,7 +314,7 @@ def main():
     if arguments.write and (arguments.only or len(arguments.targets) < len(TARGETS)):
         parser.error("--write needs all functions and targets")
     if not arguments.program:
-        build(arguments.build / "host", "-DCMAKE_BUILD_TYPE=Release")
+        build(arguments.build / "host", ["chasles_tool"], "-DCMAKE_BUILD_TYPE=Release")
         arguments.program = arguments.build / "host" / "tools" / "chasles" / "chasles"
 
     failed = False

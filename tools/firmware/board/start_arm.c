@@ -12,6 +12,10 @@ void reset(void);
 
 static void fault(void) { semihosting_exit(99); }
 
+/* The timer's interrupt, for programs that have one. */
+void systick(void);
+__attribute__((weak)) void systick(void) {}
+
 void reset(void) {
 #if defined(__ARM_FP)
   /* Full access to the floating-point unit, before the first instruction that needs it. */
@@ -28,7 +32,7 @@ union vector {
   void (*handler)(void);
 };
 
-/* Non-maskable interrupt, hard fault and what the larger cores have besides. No interrupt is ever enabled. */
+/* Non-maskable interrupt, hard fault and what the larger cores have besides. */
 __attribute__((section(".vectors"), used)) static const union vector vectors[16] = {
-    {stack_top},        {.handler = reset}, {.handler = fault}, {.handler = fault},
-    {.handler = fault}, {.handler = fault}, {.handler = fault}, {.handler = fault}};
+    [0] = {stack_top},        [1] = {.handler = reset}, [2] = {.handler = fault}, [3] = {.handler = fault},
+    [4] = {.handler = fault}, [5] = {.handler = fault}, [6] = {.handler = fault}, [15] = {.handler = systick}};
