@@ -5,7 +5,8 @@
 
 flash         bytes that a program links because it calls this one function, -Os and -O2: the function, what it calls
               in the library, and what the compiler's own libraries add for soft float and square roots
-stack         most bytes of stack that a call takes, all that it calls included, at -O2
+stack         most bytes of stack that a call takes, all that it calls included but for a function of the caller's own,
+              at -O2
 instructions  least and most of a call over all reference vectors at -O2, net of a call that does nothing; the least is
               that of calls without an error
 
@@ -87,15 +88,20 @@ class Target:
         return found
 
 
-def linked_bytes(target, symbols):
-    """Bytes in flash of a program that holds these functions and what they need."""
-    output = target.directory / ("links-" + re.sub(r"\W", "", symbols[0]) + str(len(symbols)))
+def link(target, symbols):
+    """A program that holds these functions and what they need, and nothing else."""
+    program = target.directory / ("links-" + re.sub(r"\W", "", symbols[0]) + str(len(symbols)))
     roots = [f"-Wl,-u,{symbol}" for symbol in symbols]
     run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", "-T", HERE / "board" / "sections.ld",
         "-Wl,--defsym=CODE=0,--defsym=RAM=0x20000000,--defsym=RAM_SIZE=0x10000", f"-Wl,-e,{symbols[0]}", *roots,
-        target.library, "-lm", "-o", output)
-    size = run(target.tool("size"), output).splitlines()[1].split()
-    output.unlink()
+        target.library, "-lm", "-o", program)
+    return program
+
+
+def linked_bytes(target, symbols):
+    program = link(target, symbols)
+    size = run(target.tool("size"), program).splitlines()[1].split()
+    program.unlink()
     return int(size[0]) + int(size[1])
 
 
@@ -119,7 +125,7 @@ STACK = (
     (re.compile(r"strd?(?:\.w)?\s+.*\[sp, #-(\d+)\]!"), lambda m: int(m.group(1))),
     (re.compile(r"addi\s+sp,sp,-(\d+)"), lambda m: int(m.group(1))),
 )
-CALL = re.compile(r"(?:bl|b|b\.w|b\.n|jal|j|tail|call)\s+(?:ra,)?(?:0x)?[0-9a-f]+ <([^>+]+)>")
+CALL = re.compile(r"(?:bl|b|b\.w|b\.n|jal|j|tail|call)\s+(?:ra,)?(?:0x)?([0-9a-f]+) <[^>+]+>")
 INDIRECT = re.compile(r"blx\s+r|jalr\s|jr\s+(?!ra)")
 
 
@@ -144,48 +150,59 @@ def read_frames(directory):
     return frames
 
 
-def read_calls(target):
-    """name -> names that it calls, and the bytes of stack that its instructions take."""
-    calls, taken, name = collections.defaultdict(set), collections.defaultdict(int), None
-    indirect = set()
-    for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", target.program("device_count")).splitlines():
-        start = re.match(r"[0-9a-f]+ <([^>]+)>:$", line)
+CALLBACKS = ("take", "pose_of_robot")  # chs_so3_solve and chs_tilt_worst ask a function of the caller
+
+
+class Function:
+    """One function of a linked program: static ones of the same name are different ones."""
+
+    def __init__(self, name):
+        self.name, self.calls, self.taken, self.indirect = name, set(), 0, False
+
+
+def read_functions(target):
+    """address -> Function: its calls, by address, and the bytes of stack that its instructions take."""
+    functions, address = {}, None
+    program = link(target, list(target.functions().values()))
+    for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", program).splitlines():
+        start = re.match(r"([0-9a-f]+) <([^>]+)>:$", line)
         if start:
-            name = start.group(1)
+            address = int(start.group(1), 16)
+            functions[address] = Function(start.group(2))
             continue
         found = re.match(r"\s*[0-9a-f]+:\s+(.*)", line)
         if not found:
             continue
-        instruction = found.group(1)
+        instruction, function = found.group(1), functions[address]
         called = CALL.search(instruction)
-        if called and called.group(1) != name:
-            calls[name].add(called.group(1))
-        if INDIRECT.match(instruction):
-            indirect.add(name)
+        if called and int(called.group(1), 16) != address:
+            function.calls.add(int(called.group(1), 16))
+        function.indirect |= bool(INDIRECT.match(instruction))
         for pattern, amount in STACK:
             took = pattern.match(instruction)
             if took:
-                taken[name] += amount(took)
+                function.taken += amount(took)
                 break
-    return calls, taken, indirect
+    return functions
 
 
 def measure_stack(target, only):
-    frames = read_frames(target.directory)
-    calls, taken, indirect = read_calls(target)
+    frames, functions = read_frames(target.directory), read_functions(target)
     depths = {}
 
-    def depth(name, above=()):
-        if name in above:
-            sys.exit(f"{target.name}: {name} calls itself: {' > '.join(above)}")
-        if name in indirect and name in frames:
-            sys.exit(f"{target.name}: {name} calls through a pointer")
-        if name not in depths:
-            own = frames.get(name, taken[name])
-            depths[name] = own + max((depth(called, above + (name,)) for called in calls[name]), default=0)
-        return depths[name]
+    def depth(address, above=()):
+        function = functions[address]
+        if address in above:
+            sys.exit(f"{target.name}: {function.name} calls itself")
+        if function.indirect and function.name in frames and function.name not in CALLBACKS:
+            sys.exit(f"{target.name}: {function.name} calls through a pointer")
+        if address not in depths:
+            own = frames.get(function.name, function.taken)
+            depths[address] = own + max((depth(called, above + (address,)) for called in function.calls), default=0)
+        return depths[address]
 
-    return {key: [depth(symbol)] for key, symbol in target.functions().items() if not only or key[0] in only}
+    places = {function.name: address for address, function in functions.items()}
+    return {key: [depth(places[symbol])] for key, symbol in target.functions().items() if not only or key[0] in only}
 
 
 def count(target, program, host, only):
