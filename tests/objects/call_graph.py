@@ -7,7 +7,7 @@ import subprocess
 
 # A call or jump to the start of a function in the same section: no relocation is needed for it.
 DIRECT = re.compile(r"\s*[0-9a-f]+:\s+[a-z].*<([A-Za-z_][\w.$]*)>")
-RELOCATION = re.compile(r"\s*[0-9a-f]+:\s+R_\w+\s+(?:\.text\.)?([A-Za-z_][\w.$]*)")
+RELOCATION = re.compile(r"\s*[0-9a-f]+:\s+R_\w+\s+(?:\.text\.(?:unlikely\.|hot\.)?)?([A-Za-z_][\w.$]*)")
 CALL = re.compile(r"\b(call|callq|bl|jal|jalr)\b|\bauipc\s+ra,")
 START = re.compile(r"[0-9a-f]+ <([A-Za-z_][^>]*)>:$")
 
@@ -31,12 +31,17 @@ def members(dump):
         yield name, lines
 
 
+def whole(name):
+    """Compilers split a function into itself and NAME.cold, which lies elsewhere."""
+    return re.sub(r"\.cold$", "", name)
+
+
 def read(objdump, library):
     """function -> functions that it calls. A function that programs cannot see is 'object:name'."""
     graph = collections.defaultdict(set)
     for member, lines in members(run(objdump, "-d", "-r", "--no-show-raw-insn", library)):
-        own = {start.group(1) for start in map(START.match, lines) if start}
-        node = lambda name: f"{member}:{name}" if name in own and not name.startswith("chs_") else name
+        own = {whole(start.group(1)) for start in map(START.match, lines) if start}
+        node = lambda name: f"{member}:{whole(name)}" if whole(name) in own and whole(name)[:4] != "chs_" else whole(name)
         function = instruction = None
         for line, following in zip(lines, lines[1:] + [""]):
             start = START.match(line)

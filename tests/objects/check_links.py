@@ -11,17 +11,12 @@ import sys
 import tempfile
 
 import call_graph
-from call_graph import run
+from call_graph import run, whole
 
 
 def library_functions(nm, file, kinds):
     names = (line.split()[:2] for line in run(nm, "-P", file).splitlines() if len(line.split()) > 1)
     return {whole(name) for name, kind in names if kind in kinds and name.startswith("chs_")}
-
-
-def whole(name):
-    """Compilers split a function into itself and the likes of NAME.cold."""
-    return name.split(".")[0]
 
 
 def check(function, graph, directory, arguments):
@@ -30,7 +25,7 @@ def check(function, graph, directory, arguments):
                f"-Wl,-u,{function}", arguments.library, "-lm", "-o", program]
     subprocess.run(command, check=True)
     linked = library_functions(arguments.nm, program, "TtWR")
-    wanted = {whole(name) for name in call_graph.reachable(graph, function) if name.startswith("chs_")}
+    wanted = {name for name in call_graph.reachable(graph, function) if name.startswith("chs_")}
     return [f"{function} links {name}" for name in sorted(linked - wanted)] + [
         f"{function} lacks {name}" for name in sorted(wanted - linked)]
 
