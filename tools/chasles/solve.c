@@ -32,8 +32,9 @@ const char solve_help[] =
     "                           --against NUMBER\n"
     "  --against FRAME          the reference: 'first', the first frame with all markers; 'previous', the last frame\n"
     "                           before that had all of them; or the number of a frame, from 1 (default: first)\n"
-    "  --method NAME            least-squares, for any number of markers; for three also laub-shiflett or\n"
-    "                           bottema-roth (default: least-squares, which measuring errors disturb least)\n"
+    "  --method NAME            least-squares, for any number of markers; for three also spoor-veldpaus, laub-shiflett,\n"
+    "                           angeles, beggs or bottema-roth (default: least-squares, which measuring errors disturb\n"
+    "                           least; bottema-roth is the fastest)\n"
     "  --all-methods            a line for each of the methods\n"
     "  --weights W1,W2,...      of the markers of the body, in their order: one over the square of the error\n"
     "  --covariance SIGMA       also the standard deviations of angle (radians, in the table degrees), axis (radians),\n"
@@ -66,7 +67,10 @@ struct method {
 
 static const struct method methods[] = {
     {"least-squares", NULL},
+    {"spoor-veldpaus", chs_motion_spoor_veldpaus},
     {"laub-shiflett", chs_motion_laub_shiflett},
+    {"angeles", chs_motion_angeles},
+    {"beggs", chs_motion_beggs},
     {"bottema-roth", chs_motion_bottema_roth},
 };
 
@@ -229,7 +233,7 @@ static void print_table_titles(const struct run *run) {
   printf("%6s", "frame");
   if (run->markers.has_time) printf(" %10.10s", run->markers.time_title);
   printf(" %6s", "from");
-  if (run->options->method == NULL) printf(" %-13s", "method");
+  if (run->options->method == NULL) printf(" %-14s", "method");
   printf(" %10s %8s %8s %8s", "angle_deg", "axis_x", "axis_y", "axis_z");
   print_title(stdout, 11, "point_x", run->unit);
   print_title(stdout, 11, "point_y", run->unit);
@@ -295,7 +299,7 @@ static void print_table_row(const struct run *run, const struct result *result) 
   } else {
     printf(" %6s", "");
   }
-  if (run->options->method == NULL) printf(" %-13s", was_tried(result) ? result->method->name : "");
+  if (run->options->method == NULL) printf(" %-14s", was_tried(result) ? result->method->name : "");
   if (result->kind == SOLVED) {
     printf(" %10.5f", in_degrees(screw->angle));
     for (int i = 0; i < 3; ++i) printf(" %8.5f", screw->axis[i]);
@@ -593,7 +597,8 @@ static bool read_method(const char *name, struct options *options) {
     options->method = &methods[i];
     if (strcmp(methods[i].name, name) == 0) return true;
   }
-  complain("--method expects least-squares, laub-shiflett or bottema-roth, not '%s'", name);
+  complain("--method expects least-squares, spoor-veldpaus, laub-shiflett, angeles, beggs or bottema-roth, not '%s'",
+           name);
   return false;
 }
 
