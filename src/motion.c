@@ -54,9 +54,10 @@ static INLINE void read_centers(const real initial[9], const real final[9], tria
   subtract(t->cf, t->c, dc);
   mean(initial, t->a, t->c, t->center);
   mean(moved, da, dc, t->travel);
+  t->reach = t->span + (dot(t->center, t->center) + dot(t->travel, t->travel));
 }
 
-static INLINE void measure(triangles *t, real offset) {
+static INLINE void measure(triangles *t) {
   real aa = dot(t->a, t->a), cc = dot(t->c, t->c), ac = dot(t->a, t->c);
   real ff = dot(t->af, t->af), gg = dot(t->cf, t->cf), fg = dot(t->af, t->cf);
   real da = ff - aa, dc = gg - cc, db = (da + dc) + K(2.0) * (fg - ac);
@@ -65,7 +66,12 @@ static INLINE void measure(triangles *t, real offset) {
   t->strain = ABS(da) + ABS(db) + ABS(dc);
   t->area = aa * cc - ac * ac;
   t->area_after = ff * gg - fg * fg;
-  t->reach = offset + t->span;
+}
+
+static void look_at(const real initial[9], const real final[9], triangles *t) {
+  read_sides(initial, final, t);
+  measure(t);
+  read_centers(initial, final, t);
 }
 
 /* Far enough from lines, and near enough to the origin, for rounding to be out of the question. */
@@ -136,7 +142,8 @@ static SELDOM int examine(const real initial[9], const real final[9], real toler
     center[i] = scale * (enlarge * t->center[i]);
     travel[i] = scale * (enlarge * t->travel[i]);
   }
-  measure(t, dot(center, center) + dot(travel, travel));
+  measure(t);
+  t->reach = t->span + (dot(center, center) + dot(travel, travel));
   real longest_squared = largest(squared, 3);
   x->longest = SQRT(longest_squared);
   x->doubled = doubled_area(t->a, t->c);
@@ -150,9 +157,7 @@ static SELDOM int examine(const real initial[9], const real final[9], real toler
 
 static int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x) {
   x->examined = 0;
-  read_sides(initial, final, t);
-  read_centers(initial, final, t);
-  measure(t, dot(t->center, t->center) + dot(t->travel, t->travel));
+  look_at(initial, final, t);
   return ordinary(t, tolerance) ? CHS_OK : examine(initial, final, tolerance, t, x);
 }
 
@@ -241,18 +246,17 @@ static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
 }
 
 /* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for its
- * length is |q| = 4 sin(theta/2) |e . (a x c)|. */
+ * length is |q| = 4 sin(theta/2) |e . (a x c)|. Wants the area measured. */
 static INLINE int rodrigues(const triangles *t, quaternion *q) {
-  real da[3], dc[3], sum[3], N[3];
+  real da[3], dc[3], sum[3];
   subtract(t->af, t->a, da);
   subtract(t->cf, t->c, dc);
   copy(t->c, 3, sum);
   add_to(sum, t->cf);
   cross(da, dc, q->v);
   q->w = dot(da, sum);
-  cross(t->a, t->c, N);
   real vv = dot(q->v, q->v), qq = vv + q->w * q->w;
-  return qq * qq >= vv * dot(N, N);
+  return qq * qq >= vv * t->area;
 }
 
 /* Eq. 23 on triangles that were examined. */
@@ -266,8 +270,7 @@ static SELDOM int with_care(const real initial[9], const real final[9], real tol
   triangles t;
   examination x;
   quaternion q;
-  read_sides(initial, final, &t);
-  read_centers(initial, final, &t);
+  look_at(initial, final, &t);
   int status = examine(initial, final, tolerance, &t, &x);
   if (status != CHS_OK) return status;
   if (!(by_rodrigues && clear_rodrigues(&t, &q))) laub_shiflett(&t, &q);
@@ -279,9 +282,9 @@ static INLINE int solve(const real initial[9], const real final[9], real toleran
   triangles t;
   quaternion q;
   read_sides(initial, final, &t);
+  measure(&t);
   if (!(by_rodrigues && rodrigues(&t, &q))) laub_shiflett(&t, &q);
   read_centers(initial, final, &t);
-  measure(&t, dot(t.center, t.center) + dot(t.travel, t.travel));
   if (!(ordinary(&t, tolerance) & plain(&t, &q))) return with_care(initial, final, tolerance, by_rodrigues, out, T);
   write_plain(&t, &q, out, T);
   return CHS_OK;
@@ -304,8 +307,7 @@ int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9]
   quaternion q;
   int status = FN(chs_motion_bottema_roth)(initial, final, tolerance, NULL, NULL);
   if (status < 0) return status;
-  read_sides(initial, final, &t);
-  read_centers(initial, final, &t);
+  look_at(initial, final, &t);
   if (examine(initial, final, tolerance, &t, &x) != CHS_OK || !clear_rodrigues(&t, &q)) {
     *order = -1;
     return status;
