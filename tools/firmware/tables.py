@@ -93,7 +93,7 @@ def link(target, symbols):
     program = target.directory / ("links-" + re.sub(r"\W", "", symbols[0]) + str(len(symbols)))
     roots = [f"-Wl,-u,{symbol}" for symbol in symbols]
     run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", "-T", HERE / "board" / "sections.ld",
-        "-Wl,--defsym=CODE=0,--defsym=RAM=0x20000000,--defsym=RAM_SIZE=0x10000", f"-Wl,-e,{symbols[0]}", *roots,
+        "-Wl,--defsym=CODE=0,--defsym=RAM=0x20000000,--defsym=RAM_SIZE=0x400000", f"-Wl,-e,{symbols[0]}", *roots,
         target.library, "-lm", "-o", program)
     return program
 
@@ -126,7 +126,7 @@ STACK = (
     (re.compile(r"addi\s+sp,sp,-(\d+)"), lambda m: int(m.group(1))),
 )
 CALL = re.compile(r"(?:bl|b|b\.w|b\.n|jal|j|tail|call)\s+(?:ra,)?(?:0x)?([0-9a-f]+) <[^>+]+>")
-INDIRECT = re.compile(r"blx\s+r|jalr\s|jr\s+(?!ra)")
+INDIRECT = re.compile(r"blx\s+r|jalr\s")
 
 
 def registers(match):
