@@ -82,6 +82,60 @@ static void test_newton_finds_what_the_closed_form_gives(void) {
   }
 }
 
+/* Equations about one axis, z, whose Newton step from 0.3 overshoots the more, the steeper they are at their root. */
+typedef struct steep {
+  double scale;
+  double refused_below; /* angles less than this are an error */
+} steep;
+
+static int steep_about_z(const real R[9], void *context, real f[3]) {
+  const steep *s = (const steep *)context;
+  real w[3];
+  int status = FN(chs_so3_log)(R, w);
+  if (status < 0) return status;
+  if ((double)w[2] < s->refused_below) return CHS_ERR_LOCKUP;
+  for (int i = 0; i < 3; i++) f[i] = (real)(s->scale * (i < 2 ? (double)w[i] : atan(30 * (double)w[2])));
+  return CHS_OK;
+}
+
+static void start_at(double angle, real R[9]) {
+  const real w[3] = {0, 0, (real)angle};
+  FN(chs_so3_exp)(w, R);
+}
+
+static void test_a_step_too_far_is_shortened(void) {
+  const steep cases[] = {{1, -4}, {1, -0.1}};
+  for (int k = 0; k < LENGTH(cases); k++) {
+    steep s = cases[k];
+    real start[9], R[9];
+    start_at(0.3, start);
+    ASSERT_STATUS(CHS_OK, FN(chs_so3_solve)(steep_about_z, &s, start, (real)(16 * EPS), 30, R, NULL));
+    ASSERT_ENTRIES_WITHIN_EPS(identity3, R, 9, 16, 1);
+  }
+}
+
+static void test_a_step_turns_by_half_a_radian_at_most(void) {
+  for (int k = 0; k < CASES; k++) {
+    real target[9], R[9], w[3], moved;
+    random_vector(uniform(0.6, 2.5), w);
+    FN(chs_so3_exp)(w, target);
+    ASSERT_STATUS(CHS_ITERATION_LIMIT, FN(chs_so3_solve)(off_target, target, identity3, 0, 1, R, NULL));
+    FN(chs_so3_angle)(identity3, R, &moved);
+    TEST_ASSERT_TRUE(fabs((double)moved - 0.5) < 1e-3);
+  }
+}
+
+static void test_the_size_of_the_equations_does_not_matter(void) {
+  const double scales[] = {1e-6, 1e-3, 1e3, 1e6};
+  for (int k = 0; k < LENGTH(scales); k++) {
+    steep s = {scales[k], -4};
+    real start[9], R[9];
+    start_at(0.02, start);
+    ASSERT_STATUS(CHS_OK, FN(chs_so3_solve)(steep_about_z, &s, start, (real)(64 * EPS * scales[k]), 30, R, NULL));
+    ASSERT_ENTRIES_WITHIN_EPS(identity3, R, 9, 64, 1);
+  }
+}
+
 static void test_a_solved_start_is_kept_and_no_step_is_a_status(void) {
   real R[9], rest, other[9];
   random_rotation(other);
@@ -119,6 +173,9 @@ int main(void) {
   SUITE_BEGIN();
   RUN_TEST(test_any_rotation_is_found_from_up_to_a_half_turn_away);
   RUN_TEST(test_newton_finds_what_the_closed_form_gives);
+  RUN_TEST(test_a_step_too_far_is_shortened);
+  RUN_TEST(test_a_step_turns_by_half_a_radian_at_most);
+  RUN_TEST(test_the_size_of_the_equations_does_not_matter);
   RUN_TEST(test_a_solved_start_is_kept_and_no_step_is_a_status);
   RUN_TEST(test_output_may_be_the_start);
   RUN_TEST(test_what_cannot_be_solved_is_refused);

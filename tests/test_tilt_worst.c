@@ -150,6 +150,64 @@ static void test_the_search_climbs_to_a_summit_inside(void) {
   TEST_ASSERT_TRUE(fabs(fabs((double)where[1]) - PI / 2) < 1e-3);
 }
 
+/* The torsion is the sine of 20 times the second joint; the first one does nothing. */
+static int fast_swing(const real *joints, void *context, real T[16]) {
+  const real faster = 20 * joints[1];
+  return swing(&faster, context, T);
+}
+
+static void test_the_search_keeps_inside_the_box_and_knows_its_joints_apart(void) {
+  const real q[2] = {3, 0}, errors[2] = {K(0.25), K(0.12)};
+  real scratch[CHS_TILT_WORST_SCRATCH(2)], worst[3], where[6];
+  ASSERT_STATUS(CHS_OK, FN(chs_tilt_worst)(fast_swing, NULL, 2, q, errors, 4, 20, scratch, worst, where));
+  TEST_ASSERT_TRUE(fabs((double)worst[1] - 1) < 1e-6);
+  TEST_ASSERT_TRUE(fabs(fabs((double)where[3]) - PI / 40) < 1e-4);
+}
+
+/* A pose far out, half of it rounding: neither joint matters. */
+static int far_out(const real *joints, void *context, real T[16]) {
+  const real axis[3] = {K(0.3), K(-0.4), K(0.5)},
+             p[3] = {K(1e6) + joints[0] * 0, (real)(1e6 * (1 + EPS * (double)joints[1])), 0};
+  real R[9];
+  (void)context;
+  int status = FN(chs_so3_exp)(axis, R);
+  FN(chs_se3_from_parts)(R, p, T);
+  return status;
+}
+
+static void test_a_joint_that_does_not_matter_stays_at_its_lower_end(void) {
+  const real q[2] = {3, 0}, errors[2] = {K(0.25), 4};
+  real scratch[CHS_TILT_WORST_SCRATCH(2)], worst[3], where[6];
+  for (int steps = 2; steps <= 3; steps++) {
+    fill_with_pattern(scratch, sizeof scratch);
+    ASSERT_STATUS(CHS_OK, FN(chs_tilt_worst)(far_out, NULL, 2, q, errors, steps, 4, scratch, worst, where));
+    for (int m = 0; m < 3; m++) {
+      TEST_ASSERT_TRUE(where[2 * m] == q[0] - errors[0]);
+      TEST_ASSERT_TRUE(where[2 * m + 1] == q[1] - errors[1]);
+    }
+  }
+}
+
+static void test_a_joint_without_error_stays_where_it_is(void) {
+  const real q[3] = {K(0.1), K(0.2), K(0.3)}, errors[3] = {K(0.01), 0, K(0.01)};
+  real scratch[CHS_TILT_WORST_SCRATCH(3)], worst[3], where[9];
+  ASSERT_STATUS(CHS_OK, FN(chs_tilt_worst)(agile_eye, NULL, 3, q, errors, 3, 4, scratch, worst, where));
+  for (int m = 0; m < 3; m++) TEST_ASSERT_TRUE(where[3 * m + 1] == q[1]);
+}
+
+/* Of the positive statuses the first is the answer: that of the nominal pose. */
+static int two_statuses(const real *joints, void *context, real T[16]) {
+  (void)context;
+  for (int i = 0; i < 16; i++) T[i] = identity4[i];
+  return joints[0] == 0 ? CHS_NEAR_SINGULAR : CHS_ILL_CONDITIONED;
+}
+
+static void test_the_first_positive_status_is_the_answer(void) {
+  const real q[1] = {0}, errors[1] = {1};
+  real scratch[CHS_TILT_WORST_SCRATCH(1)], worst[3];
+  ASSERT_STATUS(CHS_NEAR_SINGULAR, FN(chs_tilt_worst)(two_statuses, NULL, 1, q, errors, 2, 2, scratch, worst, NULL));
+}
+
 static void test_a_robot_without_closed_form_is_studied_by_newton(void) {
   const real e = (real)(0.1 * DEGREE), errors[3] = {e, e, e};
   for (int k = 0; k < CASES; k++) {
@@ -209,6 +267,10 @@ int main(void) {
   RUN_TEST(test_no_random_point_of_the_box_is_worse_than_the_worst);
   RUN_TEST(test_each_measure_has_a_worst_of_its_own);
   RUN_TEST(test_the_search_climbs_to_a_summit_inside);
+  RUN_TEST(test_the_search_keeps_inside_the_box_and_knows_its_joints_apart);
+  RUN_TEST(test_a_joint_that_does_not_matter_stays_at_its_lower_end);
+  RUN_TEST(test_a_joint_without_error_stays_where_it_is);
+  RUN_TEST(test_the_first_positive_status_is_the_answer);
   RUN_TEST(test_a_robot_without_closed_form_is_studied_by_newton);
   RUN_TEST(test_a_box_that_reaches_a_singularity_is_told);
   RUN_TEST(test_the_robot_s_own_statuses_come_through);

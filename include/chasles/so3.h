@@ -154,7 +154,8 @@ int chs_so3_checkf(const float R[9], float tolerance);
  * closed form, for one. The derivatives with respect to small turns, exp [w] R, are central differences; a step turns
  * by at most 1/2 rad, and is halved until it comes nearer.
  *
- *   residual   writes f(R), three numbers, and returns a chs_status; an error of it ends the search and is returned.
+ *   residual   writes f(R), three numbers, and returns a chs_status; an error of it shortens the step
+ *              that led there; at the start and in the derivatives it ends the search and is returned.
  *   context    is handed to it.
  *   start      a rotation to within CHS_SO3_FAR. The solution found is that of its neighbourhood, not always the nearest.
  *   tolerance  |f| that counts as solved, >= 0.
