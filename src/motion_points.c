@@ -16,7 +16,7 @@ typedef chs_motion_quality motion_quality;
 enum { WEIGHT, FIRST, PRODUCTS = FIRST + 6, SQUARES = PRODUCTS + 9, SUMS = SQUARES + 2 };
 
 /* Up to so many points are summed plainly before they join the total, which keeps what rounding takes from it. */
-enum { BLOCK = 64 };
+enum { BLOCK = 64, SAMPLE = 16 };
 
 /* The sums stay about the same two points until the weight is so many times what their mean was taken of. So they are
  * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud, in whatever order points come. */
@@ -32,14 +32,14 @@ static real weight_of(const run *r, size_t i) { return r->weights ? r->weights[i
 
 static real total(const motion_sums *s, int k) { return s->sum[k] + s->lost[k]; }
 
-static void add_exactly(motion_sums *s, int k, exact_sum x) {
+static INLINE void add_exactly(motion_sums *s, int k, exact_sum x) {
   exact_sum t = {s->sum[k], s->lost[k]};
   add(&t, x);
   s->sum[k] = t.hi;
   s->lost[k] = t.lo;
 }
 
-static void add_plainly(motion_sums *s, int k, real x) {
+static INLINE void add_plainly(motion_sums *s, int k, real x) {
   exact_sum t = {x, 0};
   add_exactly(s, k, t);
 }
@@ -99,6 +99,22 @@ static void make_room(motion_sums *s, const run *r, real w) {
   s->about_weight = w > weight ? w : weight;
 }
 
+/* Places the empty sums amid the first points of a run, if they are all there. */
+static void settle(motion_sums *s, const run *r) {
+  const real *p = r->initial, *q = r->final;
+  size_t n = r->count < SAMPLE ? r->count : SAMPLE;
+  real x = 0, y = 0, z = 0, fx = 0, fy = 0, fz = 0, share = K(1.0) / (real)n;
+  for (size_t i = 3; i < 3 * n; i += 3) {
+    x += p[i] - p[0], y += p[i + 1] - p[1], z += p[i + 2] - p[2];
+    fx += q[i] - q[0], fy += q[i + 1] - q[1], fz += q[i + 2] - q[2];
+  }
+  const real about[6] = {p[0] + share * x,  p[1] + share * y,  p[2] + share * z,
+                         q[0] + share * fx, q[1] + share * fy, q[2] + share * fz};
+  if (!all_finite(about, 6)) return;
+  copy(about, 6, s->about);
+  s->about_weight = (real)n;
+}
+
 /* How many of the first points may be added before the sums must be moved; fewer too where a weight is not one. */
 static size_t room_for(const motion_sums *s, const run *r) {
   real room = REACH * s->about_weight - total(s, WEIGHT);
@@ -121,7 +137,10 @@ static int add_block(motion_sums *s, const run *r) {
     gather(r, s->about, 0, 1, sum);
   real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
   if (r->count > 1 && !(all_finite(sum, SUMS) && least > UNDERFLOWS * UNDERFLOWS)) return 0;
-  for (int k = 0; k < SUMS; k++) add_plainly(s, k, sum[k]);
+  if (s->points == 0)
+    copy(sum, SUMS, s->sum);
+  else
+    for (int k = 0; k < SUMS; k++) add_plainly(s, k, sum[k]);
   if (!r->weights) s->points += r->count;
   for (size_t i = 0; r->weights && i < r->count; i++) s->points += r->weights[i] > 0;
   return 1;
@@ -149,7 +168,7 @@ static int add_point(motion_sums *s, const run *point) {
     return CHS_POINTS_MISSING;
   }
   if (!(w > 0 && w <= REAL_MAX)) return CHS_ERR_ARGUMENT;
-  if (s->points > 0) {
+  if (s->about_weight > 0) {
     subtract(point->initial, s->about, apart);
     subtract(point->final, s->about + 3, apart + 3);
     real most = largest(apart, 6);
@@ -168,6 +187,7 @@ static run rest_of(run r, size_t done) {
 
 /* Blocks of points as long as they are ordinary, single ones where they are not. */
 static int add_run(motion_sums *s, run r) {
+  if (r.count > 0 && !r.weights && s->points == 0) settle(s, &r);
   while (r.count > 0) {
     run block = r;
     block.count = room_for(s, &r);
@@ -286,7 +306,9 @@ static int improve(const cloud *c, best_rotation *best, int *moved) {
   A[1] = A[3] = K(-0.5) * (S[1] + S[3]);
   A[2] = A[6] = K(-0.5) * (S[2] + S[6]);
   A[5] = A[7] = K(-0.5) * (S[5] + S[7]);
-  cofactors(A, SQRT(square_of(A)), C);
+  cross(A + 3, A + 6, C);
+  cross(A + 6, A, C + 3);
+  cross(A, A + 3, C + 6);
   real det = dot(A, C);
   if (!(A[0] > 0 && C[8] > 0 && det > 0)) return 0;
   for (int i = 0; i < 9; i++) best->inverse[i] = C[i] / det;
