@@ -245,8 +245,8 @@ static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
   *q = quaternion_of(R);
 }
 
-/* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for its
- * length is |q| = 4 sin(theta/2) |e . (a x c)|. Wants the area measured. */
+/* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for
+ * its length is |q| = 4 sin(theta/2) |e . (a x c)|. Wants the area measured. */
 static INLINE int rodrigues(const triangles *t, quaternion *q) {
   real da[3], dc[3], sum[3];
   subtract(t->af, t->a, da);
@@ -322,13 +322,12 @@ int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9]
   return status;
 }
 
-/* Eq. 28 to 30: each row r of R takes the sides to a component of what they became and has length 1, so that it is known
- * but for the sign of its part along the normal: eight matrices. With that part for the unknown, rather than a
- * coordinate, the quadratic has no linear term and nothing (E) can vanish.
- * All eight take the three points to where they are. Only a fourth one, off the plane, tells them apart: the end of the
- * normal leaves the smallest residual where each row has the sign of a component of af x cf. A row that is all but
- * parallel to the plane has half of its digits in the root, and so its part along the normal comes from the others, that
- * is from eq. 5b. */
+/* Eq. 28 to 30: each row r of R takes the sides to a component of what they became and has length 1, so that it is
+ * known but for the sign of its part along the normal: eight matrices. With that part for the unknown, rather than a
+ * coordinate, the quadratic has no linear term and nothing (E) can vanish. All eight take the three points to where
+ * they are. Only a fourth one, off the plane, tells them apart: the end of the normal leaves the smallest residual
+ * where each row has the sign of a component of af x cf. A row that is all but parallel to the plane has half of its
+ * digits in the root, and so its part along the normal comes from the others, that is from eq. 5b. */
 static void beggs(const triangles *t, quaternion *q) {
   real a[3], c[3], n[3], Nf[3], R[9], squared[3], along[3];
   dual_basis(t, a, c, n);
@@ -388,7 +387,8 @@ static void least_squares_turn(const flat *f, const flat *g, real *x, real *y) {
 
 /* Eq. 14 to 16. M takes the plane of the initial points to that of the final ones, and [m1/d11 m2/d22 ...] V^T is its
  * orthogonal factor: in frames of the two planes that is a turn, without eigenvectors, equal d or division by a small
- * one. With both normals on the side from which the points go round alike det M > 0, so that it is never a reflection. */
+ * one. With both normals on the side from which the points go round alike det M > 0, so that it is never a reflection.
+ * */
 static void spoor_veldpaus(const triangles *t, quaternion *q) {
   flat f, g;
   real x, y;

@@ -1,4 +1,4 @@
-/* chasles/motion.h - the displacement of a body from three of its points, by five methods, or from more, by least squares.
+/* chasles/motion.h - the displacement of a body from three of its points, by five methods, or from any number of them.
  *
  * chasles.h has the conventions that all headers share.
  */
@@ -13,8 +13,8 @@ extern "C" {
 #endif
 
 /* Five methods for the same task, of one interface: on points that move rigidly they give the same answer, and on
- * measured ones the answer depends on the method. Bottema & Roth is the fastest, Laub & Shiflett next. An output left out
- * costs nothing.
+ * measured ones the answer depends on the method. Bottema & Roth is the fastest, Laub & Shiflett next. An output left
+ * out costs nothing.
  *
  *   initial    three points before, [9], one point after the other.
  *   final      the same three points after, in the same order.
@@ -33,13 +33,13 @@ extern "C" {
  * whatever order the points are taken, as long as the sides keep their lengths; x is here the side from the first point
  * to the second, y that from the third to the first. In every order it is 4 sin(theta/2) |e . N| long, N = x x y, and 0
  * where the screw axis is parallel to the plane of the points. So where (v; w) says itself that the axis stands at less
- * than asin(1/4), 14.5 degrees, to the plane, and where the triangle is so thin (k^2 > 1/(600 eps) at the latest) or the motion so near
- * to none or to a half-turn that rounding has a say in it, the rotation is that of Laub & Shiflett.
+ * than asin(1/4), 14.5 degrees, to the plane, and where the triangle is so thin (k^2 > 1/(600 eps) at the latest) or
+ * the motion so near to none or to a half-turn that rounding has a say in it, the rotation is that of Laub & Shiflett.
  *
  * Laub & Shiflett (eq. 12 and 13): [Q] = [Pf] [Pi]^-1, R = [Q] - p v^T, with both origins moved along the normal of
  * their plane, so that [Pi] is never singular and a thin triangle of relative height h loses eps/h, not eps/h^2. With
- * sides a, c and the normal N = a x c before, a', c', N' after, that is R = (a' (c x N)^T + c' (N x a)^T + N' N^T) / N.N.
- * R is then made a rotation through its quaternion.
+ * sides a, c and the normal N = a x c before, a', c', N' after, that is R = (a' (c x N)^T + c' (N x a)^T + N' N^T) /
+ * N.N. R is then made a rotation through its quaternion.
  *
  * Spoor & Veldpaus (eq. 14 to 16): the rotation that leaves the least sum of squared distances between the points and
  * their images. For three points M is a 2 x 2 matrix between their two planes and the product of eq. 16 its orthogonal
@@ -47,14 +47,14 @@ extern "C" {
  *
  * Angeles (eq. 6 to 8): R = Q2 Q1^T from the principal axes of the points' second moments before and after, the normal
  * of the plane and two in the plane; which end of an axis is which is told by the points. Where the two moments in the
- * plane differ by less than a quarter of their sum, as in an equilateral triangle, the axes say too little, and those are
- * taken that fit the points best: the rotation is that of Spoor & Veldpaus.
+ * plane differ by less than a quarter of their sum, as in an equilateral triangle, the axes say too little, and those
+ * are taken that fit the points best: the rotation is that of Spoor & Veldpaus.
  *
- * Beggs (eq. 28 to 30): each row of R from two linear equations and its length, by a quadratic whose unknown is the row's
- * part along the normal N instead of a coordinate, so that no denominator (E) vanishes. All of the eight matrices take the
- * three points to the same images; of these that one is taken which leaves the smallest residual on a fourth point off the
- * plane, the end of N. A row whose part along N is below 1/2, and so lost in its root, gets it from the other rows by
- * eq. 5b. R is made a rotation through its quaternion.
+ * Beggs (eq. 28 to 30): each row of R from two linear equations and its length, by a quadratic whose unknown is the
+ * row's part along the normal N instead of a coordinate, so that no denominator (E) vanishes. All of the eight matrices
+ * take the three points to the same images; of these that one is taken which leaves the smallest residual on a fourth
+ * point off the plane, the end of N. A row whose part along N is below 1/2, and so lost in its root, gets it from the
+ * other rows by eq. 5b. R is made a rotation through its quaternion.
  *
  * Then u = e . D and A by eq. 10 and 24 at the centroid, which moves from C to C + D.
  *
@@ -85,11 +85,11 @@ int chs_motion_bottema_roth(const double initial[9], const double final[9], doub
 int chs_motion_bottema_rothf(const float initial[9], const float final[9], float tolerance, chs_screwf *screw,
                              float T[16]);
 
-/* Which order of the points chs_motion_bottema_roth took, for the same arguments. The paper's rule is the order with the
- * largest change of the side p3 - p2, so that eq. 23 stays away from 0/0.
+/* Which order of the points chs_motion_bottema_roth took, for the same arguments. The paper's rule is the order with
+ * the largest change of the side p3 - p2, so that eq. 23 stays away from 0/0.
  *
- *   order  k = 0, 1 or 2: the rule's p2 is initial point k, p3 the next one and p1 the last, in cyclic order. The answer
- *          is the same in all three, to within rounding and the changes of the sides' lengths.
+ *   order  k = 0, 1 or 2: the rule's p2 is initial point k, p3 the next one and p1 the last, in cyclic order. The
+ *          answer is the same in all three, to within rounding and the changes of the sides' lengths.
  *          -1: none would do, and the rotation is that of Laub & Shiflett; or there is no rotation.
  *
  * Returns what chs_motion_bottema_roth returns. */
@@ -141,8 +141,9 @@ int chs_motion_beggsf(const float initial[9], const float final[9], float tolera
  * this function makes a linker keep them all.
  *
  * The default is Spoor & Veldpaus, which measuring errors disturb least: with independent errors of the coordinates, as
- * markers have, and triangles of k <= 4 the rotation of Angeles is off by 1.12 times as much, Laub & Shiflett 1.16, Beggs
- * 1.19, Bottema & Roth 1.97 (root mean square). In time they cost, in the same order, about 1, 1.05, 0.55, 1 and 0.45.
+ * markers have, and triangles of k <= 4 the rotation of Angeles is off by 1.12 times as much, Laub & Shiflett 1.16,
+ * Beggs 1.19, Bottema & Roth 1.97 (root mean square). In time they cost, in the same order, about 1, 1.05, 0.55, 1 and
+ * 0.45.
  *
  * Returns what the method returns, or CHS_ERR_ARGUMENT for a method that is none. */
 typedef enum chs_motion_method {

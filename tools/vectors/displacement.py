@@ -186,7 +186,7 @@ def angeles_choices(initial, final, eps):
 
 
 def planar(a, c):
-    """A frame with a along its first axis and the normal along its third, and the three sides in it as complex numbers."""
+    """A frame, a along its first axis and the normal along its third, and the sides in it as complex numbers."""
     f1, f3 = exact.unit(a), exact.unit(cross(a, c))
     f2 = cross(f3, f1)
     za, zc = mpc(dot(a, f1), 0), mpc(dot(c, f1), dot(c, f2))
