@@ -115,23 +115,18 @@ static inline int sine_and_versine(real q, real *sine, real *versine) {
   return 1;
 }
 
-/* The angle of the point (x, y), x and y >= 0 and not both 0, as base + rest. With t the tangent of rest, low says
- * that base = 0 and t = y / x, and p = atan(t)/t - 1. */
+/* The angle of the point (x, y), x and y >= 0 and not both 0, as base + rest: base is the nearest of 0, pi/4 and pi/2.
+ * With t the tangent of rest, low says that base = 0 and t = y / x, and p = atan(t)/t - 1. */
 typedef struct arc {
   real base, rest, p;
   int low;
 } arc;
 
 static inline arc arc_of(real y, real x) {
-  arc a;
   int low = y <= K(0.5) * x, high = K(0.5) * y >= x;
-  real t = (low ? y : high ? -x : y - x) / (low ? x : high ? y : y + x);
-  real tail = low ? K(0.0) : high ? CHS_HALF_PI_B : CHS_QUARTER_PI_B;
-  real u = t * t;
-  a.p = u * CHS_ATAN_REST(u);
-  a.base = low ? K(0.0) : high ? CHS_HALF_PI_A : CHS_QUARTER_PI_A;
-  a.rest = t + (t * a.p + tail);
-  a.low = low;
+  real c = high ? K(0.0) : K(1.0), s = low ? K(0.0) : K(1.0), eighths = (s - c) + K(1.0);
+  real t = (c * y - s * x) / (c * x + s * y), u = t * t, p = u * CHS_ATAN_REST(u);
+  arc a = {eighths * CHS_QUARTER_PI_A, t + (t * p + eighths * CHS_QUARTER_PI_B), p, low};
   return a;
 }
 

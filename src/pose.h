@@ -5,10 +5,18 @@
 #include "vec3.h"
 
 static inline void part(const real T[16], real R[9], real p[3]) {
-  for (int i = 0; i < 3; i++) {
-    copy(T + 4 * i, 3, R + 3 * i);
-    p[i] = T[4 * i + 3];
-  }
+  R[0] = T[0];
+  R[1] = T[1];
+  R[2] = T[2];
+  p[0] = T[3];
+  R[3] = T[4];
+  R[4] = T[5];
+  R[5] = T[6];
+  p[1] = T[7];
+  R[6] = T[8];
+  R[7] = T[9];
+  R[8] = T[10];
+  p[2] = T[11];
 }
 
 static inline void join(const real R[9], const real p[3], real T[16]) {

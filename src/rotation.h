@@ -27,16 +27,15 @@ static inline void offsets(const real R[9], real off[6]) {
 real FN(chs_p_deviation)(const real R[9]);
 
 /* Why R is no rotation to within the tolerance: CHS_ERR_NAN, _INFINITE, _REFLECTION or _NOT_ROTATION; or CHS_OK. */
-int FN(chs_p_rotation_status)(const real R[9], real tolerance);
+SELDOM int FN(chs_p_rotation_status)(const real R[9], real tolerance);
 
 /* R is near enough to a rotation to be read as one; otherwise the status says why not. */
 static inline int check_rotation(const real R[9]) {
   const real far = (real)CHS_SO3_FAR;
   real off[6];
   offsets(R, off);
-  int near = (ABS(off[0]) <= far) & (ABS(off[1]) <= far) & (ABS(off[2]) <= far) & (ABS(off[3]) <= far) &
-             (ABS(off[4]) <= far) & (ABS(off[5]) <= far);
-  return near ? CHS_OK : FN(chs_p_rotation_status)(R, far);
+  real sum = ((ABS(off[0]) + ABS(off[1])) + (ABS(off[2]) + ABS(off[3]))) + (ABS(off[4]) + ABS(off[5]));
+  return sum <= far ? CHS_OK : FN(chs_p_rotation_status)(R, far);
 }
 
 /* Of two statuses, the one that counts: NaN before infinity before anything else that is wrong. */
@@ -63,29 +62,20 @@ static inline void settle_half_turn(quaternion *q, real zone, real length) {
 }
 
 /* The quaternion of a matrix near a rotation: the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
- * 1978). It agrees with that of the nearest rotation to a fraction of the matrix's own rounding errors. */
+ * 1978), selected without a branch, which no processor could foresee. It agrees with that of the nearest rotation to a
+ * fraction of the matrix's own rounding errors. */
 static inline quaternion quaternion_of(const real R[9]) {
   real dx = K(1.0) - R[0], dy = K(1.0) - R[4], dz = K(1.0) - R[8], d = dx + dy + dz;
   real ww = K(4.0) - d, xx = (dy + dz) - dx, yy = (dx + dz) - dy, zz = (dx + dy) - dz;
   real wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
   real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-  quaternion q = {{wx, wy, wz}, ww, d};
-  real most = ww;
-  if (xx > most) {
-    quaternion x = {{xx, xy, xz}, wx, 0};
-    q = x;
-    most = xx;
-  }
-  if (yy > most) {
-    quaternion y = {{xy, yy, yz}, wy, 0};
-    q = y;
-    most = yy;
-  }
-  if (zz > most) {
-    quaternion z = {{xz, yz, zz}, wz, 0};
-    q = z;
-  }
-  if (q.w < 0) negate(&q);
+  int x_over_w = xx > ww, z_over_y = zz > yy;
+  real a0 = x_over_w ? xx : wx, a1 = x_over_w ? xy : wy, a2 = x_over_w ? xz : wz, a3 = x_over_w ? wx : ww;
+  real b0 = z_over_y ? xz : xy, b1 = z_over_y ? yz : yy, b2 = z_over_y ? zz : yz, b3 = z_over_y ? wz : wy;
+  int b_over_a = (z_over_y ? zz : yy) > (x_over_w ? xx : ww);
+  real v0 = b_over_a ? b0 : a0, v1 = b_over_a ? b1 : a1, v2 = b_over_a ? b2 : a2, w = b_over_a ? b3 : a3;
+  real sign = w < 0 ? K(-1.0) : K(1.0);
+  quaternion q = {{sign * v0, sign * v1, sign * v2}, sign * w, d};
   return q;
 }
 
@@ -139,8 +129,11 @@ static inline void rotation_from_quaternion(const quaternion *q, real nn, real R
 static inline void rotation_vector_of(const quaternion *q, real n, real w[3], real *k) {
   arc a = arc_of(n, q->w);
   real whole = n < q->w ? K(0.25) : K(0.5);
-  real rest = a.low ? (K(0.25) * q->short_of_4 + a.p) / q->w : ((a.base - whole * n) + a.rest) / n;
-  for (int i = 0; i < 3; i++) w[i] = K(2.0) * (whole * q->v[i] + rest * q->v[i]);
+  real over = a.low ? q->w : n, small = a.low ? K(0.25) * q->short_of_4 + a.p : (a.base - whole * n) + a.rest;
+  real rest = small / over;
+  w[0] = K(2.0) * (whole * q->v[0] + rest * q->v[0]);
+  w[1] = K(2.0) * (whole * q->v[1] + rest * q->v[1]);
+  w[2] = K(2.0) * (whole * q->v[2] + rest * q->v[2]);
   *k = (whole + rest) * q->w;
 }
 
@@ -159,7 +152,9 @@ static inline int logarithm(const real R[9], real w[3], real *k) { return logari
 static inline void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {
   real d = cotangent_ratio(k, dot(w, w)) * dot(w, p), wxp[3];
   cross(w, p, wxp);
-  for (int i = 0; i < 3; i++) v[i] = k * p[i] + (d * w[i] - K(0.5) * wxp[i]);
+  v[0] = k * p[0] + (d * w[0] - K(0.5) * wxp[0]);
+  v[1] = k * p[1] + (d * w[1] - K(0.5) * wxp[1]);
+  v[2] = k * p[2] + (d * w[2] - K(0.5) * wxp[2]);
 }
 
 #endif

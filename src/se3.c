@@ -23,7 +23,7 @@ void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
   part(B, RB, pB);
   multiply(RA, RB, R);
   rotate(RA, pB, p);
-  for (int i = 0; i < 3; i++) p[i] += pA[i];
+  add_to(p, pA);
   join(R, p, C);
 }
 
@@ -31,7 +31,9 @@ void FN(chs_se3_inverse)(const real A[16], real B[16]) {
   real R[9], p[3];
   part(A, R, p);
   rotate_back(R, p, p);
-  for (int i = 0; i < 3; i++) p[i] = -p[i];
+  p[0] = -p[0];
+  p[1] = -p[1];
+  p[2] = -p[2];
   transpose(R, R);
   join(R, p, B);
 }

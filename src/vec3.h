@@ -52,24 +52,44 @@ static inline void rotate(const real R[9], const real x[3], real y[3]) {
 }
 
 static inline void rotate_back(const real R[9], const real x[3], real y[3]) {
-  real v[3];
-  for (int i = 0; i < 3; i++) v[i] = R[i] * x[0] + R[3 + i] * x[1] + R[6 + i] * x[2];
-  copy(v, 3, y);
+  real v0 = R[0] * x[0] + R[3] * x[1] + R[6] * x[2];
+  real v1 = R[1] * x[0] + R[4] * x[1] + R[7] * x[2];
+  real v2 = R[2] * x[0] + R[5] * x[1] + R[8] * x[2];
+  y[0] = v0;
+  y[1] = v1;
+  y[2] = v2;
 }
 
 /* C = A B and B = A^T; the result may overlap the inputs. */
 static inline void multiply(const real A[9], const real B[9], real C[9]) {
-  real c[9];
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) c[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
-  copy(c, 9, C);
+  real c0 = A[0] * B[0] + A[1] * B[3] + A[2] * B[6], c3 = A[3] * B[0] + A[4] * B[3] + A[5] * B[6];
+  real c1 = A[0] * B[1] + A[1] * B[4] + A[2] * B[7], c4 = A[3] * B[1] + A[4] * B[4] + A[5] * B[7];
+  real c2 = A[0] * B[2] + A[1] * B[5] + A[2] * B[8], c5 = A[3] * B[2] + A[4] * B[5] + A[5] * B[8];
+  real c6 = A[6] * B[0] + A[7] * B[3] + A[8] * B[6];
+  real c7 = A[6] * B[1] + A[7] * B[4] + A[8] * B[7];
+  real c8 = A[6] * B[2] + A[7] * B[5] + A[8] * B[8];
+  C[0] = c0;
+  C[1] = c1;
+  C[2] = c2;
+  C[3] = c3;
+  C[4] = c4;
+  C[5] = c5;
+  C[6] = c6;
+  C[7] = c7;
+  C[8] = c8;
 }
 
 static inline void transpose(const real A[9], real B[9]) {
-  real b[9];
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < 3; j++) b[3 * i + j] = A[3 * j + i];
-  copy(b, 9, B);
+  real a0 = A[0], a1 = A[1], a2 = A[2], a3 = A[3], a4 = A[4], a5 = A[5], a6 = A[6], a7 = A[7], a8 = A[8];
+  B[0] = a0;
+  B[1] = a3;
+  B[2] = a6;
+  B[3] = a1;
+  B[4] = a4;
+  B[5] = a7;
+  B[6] = a2;
+  B[7] = a5;
+  B[8] = a8;
 }
 
 static inline real largest(const real *v, int n) {
