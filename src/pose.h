@@ -36,6 +36,14 @@ static inline void join(const real R[9], const real p[3], real T[16]) {
   T[15] = 1;
 }
 
+/* y = R x + p; y may be x. */
+static inline void transform(const real T[12], const real x[3], real y[3]) {
+  real a = dot(T, x) + T[3], b = dot(T + 4, x) + T[7], c = dot(T + 8, x) + T[11];
+  y[0] = a;
+  y[1] = b;
+  y[2] = c;
+}
+
 /* Writes a 3x3 block of a 6x6 matrix. */
 static inline void put_block(const real block[9], int row, int column, real M[36]) {
   for (int i = 0; i < 3; i++) copy(block + 3 * i, 3, M + 6 * (row + i) + column);

@@ -104,6 +104,15 @@ static inline void rotation_from_half_angle(const real w[3], half_angle h, real 
   rotation_from(w, sine_ratio(h), h.ss, h.c * h.c, R);
 }
 
+/* p = J_l(w) v. */
+static inline void jacobian_times(const real w[3], half_angle h, const real v[3], real p[3]) {
+  real a = sine_ratio(h), b = cosine_ratio(h), c = cubic_ratio(h) * dot(w, v), wxv[3];
+  cross(w, v, wxv);
+  p[0] = a * v[0] + (b * wxv[0] + c * w[0]);
+  p[1] = a * v[1] + (b * wxv[1] + c * w[1]);
+  p[2] = a * v[2] + (b * wxv[2] + c * w[2]);
+}
+
 /* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */
 static inline real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
 

@@ -38,24 +38,14 @@ void FN(chs_se3_inverse)(const real A[16], real B[16]) {
   join(R, p, B);
 }
 
-void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) {
-  real a = dot(T, x) + T[3], b = dot(T + 4, x) + T[7], c = dot(T + 8, x) + T[11];
-  y[0] = a;
-  y[1] = b;
-  y[2] = c;
-}
+void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) { transform(T, x, y); }
 
 /* T = exp [V] given what there is to know about omega's angle. */
 static INLINE int exp_from_half_angle(const real V[6], half_angle half, real T[16]) {
-  const real *w = V, *v = V + 3;
-  real R[9], p[3], wxv[3];
-  real a = sine_ratio(half), b = cosine_ratio(half), c = cubic_ratio(half) * dot(w, v);
-  cross(w, v, wxv);
-  p[0] = a * v[0] + (b * wxv[0] + c * w[0]);
-  p[1] = a * v[1] + (b * wxv[1] + c * w[1]);
-  p[2] = a * v[2] + (b * wxv[2] + c * w[2]);
+  real R[9], p[3];
+  jacobian_times(V, half, V + 3, p);
   if (!all_finite(p, 3)) return why_not_finite(V, 6);
-  rotation_from_half_angle(w, half, R);
+  rotation_from_half_angle(V, half, R);
   join(R, p, T);
   return CHS_OK;
 }

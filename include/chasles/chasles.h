@@ -31,6 +31,7 @@
 #define CHS_VERSION "0.1.0"
 
 #include <chasles/agile_eye.h>
+#include <chasles/array.h>
 #include <chasles/chain.h>
 #include <chasles/line.h>
 #include <chasles/motion.h>

@@ -1,0 +1,155 @@
+#include "support/suite.h"
+
+/* More than two blocks of 16, and not whole ones. */
+enum { N = 37, ROUNDS = 40 };
+
+/* Rotation vectors and twists of every band, and in some places what the single function refuses. */
+static void make_twists(real *V, int stride, int size) {
+  for (int i = 0; i < N; i++) {
+    real *twist = V + i * stride;
+    random_vector(i % 9 == 8 ? uniform(3.2, 40) : random_angle(i), twist);
+    if (size == 6) random_vector(i % 5 ? 2 : 1e-3, twist + 3);
+    if (integer(0, 20) == 0) twist[integer(0, size - 1)] = integer(0, 1) ? (real)NAN : (real)INFINITY;
+    if (integer(0, 20) == 0) twist[integer(0, 2)] = K(1e30);
+    if (integer(0, 20) == 0) twist[0] = twist[1] = twist[2] = 0;
+  }
+}
+
+static void make_poses(real *T, int stride, int rows) {
+  for (int i = 0; i < N; i++) {
+    real w[3], R[9];
+    random_vector(random_angle(i), w);
+    FN(chs_so3_exp)(w, R);
+    for (int k = 0; k < 9; k++) T[i * stride + k / 3 * rows + k % 3] = R[k];
+    for (int k = 0; k < 3 && rows == 4; k++) T[i * stride + 4 * k + 3] = (real)uniform(-2, 2);
+    if (integer(0, 20) == 0) T[i * stride + integer(0, 2)] = (real)NAN;
+    if (integer(0, 20) == 0) T[i * stride] += 1;
+  }
+}
+
+static void fill(real *x, int n) {
+  for (int i = 0; i < n; i++) x[i] = K(123.0) + (real)i;
+}
+
+/* The first error, else the first positive status. */
+static int worst_of(const int *statuses) {
+  for (int i = 0; i < N; i++)
+    if (statuses[i] < 0) return statuses[i];
+  for (int i = 0; i < N; i++)
+    if (statuses[i] != CHS_OK) return statuses[i];
+  return CHS_OK;
+}
+
+enum { MOST_STRIDE = 20 };
+
+static real in[MOST_STRIDE * N], out[MOST_STRIDE * N], expected[MOST_STRIDE * N];
+static int statuses[N], wanted[N];
+
+/* Runs both forms on `in`, with room between the elements, and compares outputs, what lies between them, and statuses. */
+#define ASSERT_SAME_AS_SINGLE(name, in_stride, out_stride)                                                     \
+  do {                                                                                                         \
+    fill(out, MOST_STRIDE *N);                                                                                 \
+    fill(expected, MOST_STRIDE *N);                                                                            \
+    for (int i = 0; i < N; i++) wanted[i] = FN(chs_##name)(in + i * (in_stride), expected + i * (out_stride)); \
+    int worst = FN(chs_##name##_array)(N, in, (in_stride), out, (out_stride), statuses);                       \
+    ASSERT_SAME_BITS(expected, out, MOST_STRIDE *N);                                                           \
+    for (int i = 0; i < N; i++) ASSERT_STATUS(wanted[i], statuses[i]);                                         \
+    ASSERT_STATUS(worst_of(wanted), worst);                                                                    \
+    fill(out, MOST_STRIDE *N);                                                                                 \
+    ASSERT_STATUS(worst, FN(chs_##name##_array)(N, in, (in_stride), out, (out_stride), NULL));                 \
+    ASSERT_SAME_BITS(expected, out, MOST_STRIDE *N);                                                           \
+  } while (0)
+
+static void test_so3_exp_is_the_single_one_for_every_element(void) {
+  for (int round = 0; round < ROUNDS; round++) {
+    make_twists(in, 3 + round % 3, 3);
+    ASSERT_SAME_AS_SINGLE(so3_exp, 3 + round % 3, 9 + round % 4);
+  }
+}
+
+static void test_se3_exp_is_the_single_one_for_every_element(void) {
+  for (int round = 0; round < ROUNDS; round++) {
+    make_twists(in, 6 + round % 3, 6);
+    ASSERT_SAME_AS_SINGLE(se3_exp, 6 + round % 3, 16 + round % 4);
+  }
+}
+
+static void test_se3_exp_says_overflow_where_the_translation_does(void) {
+  make_twists(in, 6, 6);
+  for (int k = 0; k < 6; k++) in[k] = k < 3 ? K(1.0) : REAL_MAX;
+  ASSERT_SAME_AS_SINGLE(se3_exp, 6, 16);
+  ASSERT_STATUS(CHS_ERR_OVERFLOW, statuses[0]);
+}
+
+static void test_logs_are_the_single_ones_for_every_element(void) {
+  for (int round = 0; round < ROUNDS; round++) {
+    make_poses(in, 9 + round % 3, 3);
+    ASSERT_SAME_AS_SINGLE(so3_log, 9 + round % 3, 3 + round % 4);
+    make_poses(in, 16 + round % 3, 4);
+    ASSERT_SAME_AS_SINGLE(se3_log, 16 + round % 3, 6 + round % 4);
+  }
+}
+
+static void test_compose_and_apply_are_the_single_ones_also_in_place_and_with_one_pose_for_all(void) {
+  real other[16 * N], points[4 * N], x[4 * N];
+  for (int i = 0; i < N; i++) {
+    random_pose(2, in + 16 * i);
+    random_pose(2, other + 16 * i);
+  }
+  for (int i = 0; i < 4 * N; i++) x[i] = (real)uniform(-2, 2);
+  for (int one = 0; one < 2; one++) {
+    int stride = one ? 0 : 16;
+    for (int i = 0; i < N; i++) FN(chs_se3_compose)(in + i * stride, other + 16 * i, expected + 16 * i);
+    memcpy(out, other, sizeof(real) * (16 * N));
+    FN(chs_se3_compose_array)(N, in, (size_t)stride, out, 16, out, 16);
+    ASSERT_SAME_BITS(expected, out, 16 * N);
+    for (int room = 3; room <= 4; room++) {
+      memcpy(points, x, sizeof(real) * (4 * N));
+      memcpy(expected, x, sizeof(real) * (4 * N));
+      for (int i = 0; i < N; i++) FN(chs_se3_apply)(in + i * stride, x + room * i, expected + room * i);
+      FN(chs_se3_apply_array)(N, in, (size_t)stride, points, (size_t)room, points, (size_t)room);
+      ASSERT_SAME_BITS(expected, points, 4 * N);
+    }
+  }
+}
+
+static void test_tilt_error_is_the_single_one_also_with_one_nominal_for_all(void) {
+  real nominal[9 * N], alpha[N], beta[N];
+  for (int round = 0; round < ROUNDS; round++) {
+    size_t stride = round % 2 ? 0 : 9;
+    make_poses(nominal, 9, 3);
+    make_poses(in, 9, 3);
+    fill(alpha, N);
+    fill(beta, N);
+    fill(out, N);
+    fill(expected, N);
+    for (int i = 0; i < N; i++)
+      wanted[i] = FN(chs_tilt_error)(nominal + (size_t)i * stride, in + 9 * i, expected + i, out + i);
+    int worst = FN(chs_tilt_error_array)(N, nominal, stride, in, 9, alpha, beta, statuses);
+    ASSERT_SAME_BITS(expected, alpha, N);
+    ASSERT_SAME_BITS(out, beta, N);
+    for (int i = 0; i < N; i++) ASSERT_STATUS(wanted[i], statuses[i]);
+    ASSERT_STATUS(worst_of(wanted), worst);
+  }
+}
+
+static void test_no_elements_are_ok(void) {
+  fill(out, N);
+  fill(expected, N);
+  ASSERT_STATUS(CHS_OK, FN(chs_so3_exp_array)(0, in, 3, out, 9, NULL));
+  ASSERT_STATUS(CHS_OK, FN(chs_se3_exp_array)(0, in, 6, out, 16, NULL));
+  FN(chs_se3_apply_array)(0, in, 0, in, 3, out, 3);
+  ASSERT_SAME_BITS(expected, out, N);
+}
+
+int main(void) {
+  SUITE_BEGIN();
+  RUN_TEST(test_so3_exp_is_the_single_one_for_every_element);
+  RUN_TEST(test_se3_exp_is_the_single_one_for_every_element);
+  RUN_TEST(test_se3_exp_says_overflow_where_the_translation_does);
+  RUN_TEST(test_logs_are_the_single_ones_for_every_element);
+  RUN_TEST(test_compose_and_apply_are_the_single_ones_also_in_place_and_with_one_pose_for_all);
+  RUN_TEST(test_tilt_error_is_the_single_one_also_with_one_nominal_for_all);
+  RUN_TEST(test_no_elements_are_ok);
+  return SUITE_END();
+}
