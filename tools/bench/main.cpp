@@ -30,6 +30,8 @@ namespace {
 
 constexpr int numbers_of_cases[] = {1024, 8192};
 constexpr double turn = 20e-6; /* seconds */
+constexpr double most = 2.0;   /* seconds for all rounds: slow functions have fewer, but at least */
+constexpr int least_rounds = 3;
 
 /* A function of the registry through its loop in calls.c. */
 template <class Real> class own_task final : public task {
@@ -235,13 +237,16 @@ void take_turns(const contest &contest, angles set, int cases, int rounds, json 
   if (in.empty()) return;
   std::vector<std::unique_ptr<task> > tasks;
   std::vector<int> passes;
+  double round_takes = 0.0;
   for (const entry *entry : contest.with) {
     tasks.push_back(entry->make());
     tasks.back()->load(in.data(), contest.what.inputs, cases);
     seconds_of(*tasks.back(), 1);
     const double once = seconds_of(*tasks.back(), 1);
     passes.push_back(std::max(1, static_cast<int>(std::ceil(turn / once))));
+    round_takes += once * (1 + passes.back());
   }
+  rounds = std::max(std::min(rounds, static_cast<int>(most / round_takes)), std::min(rounds, least_rounds));
   std::vector<std::vector<double> > times(tasks.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -322,9 +327,12 @@ int main(int argc, char **argv) {
   for (const contest &contest : contests) {
     report(contest);
     const bool beyond = has_random_inputs(contest.what.kinds) && angles_are_given(contest.what.kinds);
+    if (contest.what.function == nullptr) { /* a scene, slow and with no angle of its own */
+      take_turns(contest, angles::ordinary, numbers_of_cases[0], rounds, out);
+      continue;
+    }
     for (const angles set : all_angles) {
       if (set == angles::beyond && !beyond) continue;
-      if (set == angles::mixed && contest.what.function == nullptr) continue; /* scenes know no angle of their own */
       for (const int cases : numbers_of_cases) take_turns(contest, set, cases, rounds, out);
     }
   }

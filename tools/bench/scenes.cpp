@@ -14,6 +14,7 @@ template <class Real> struct chs;
 
 template <> struct chs<double> {
   using chain = chs_chain;
+  using ik_options = chs_ik;
   static constexpr auto fk = chs_chain_fk;
   static constexpr auto space_jacobian = chs_chain_space_jacobian;
   static constexpr auto body_jacobian = chs_chain_body_jacobian;
@@ -21,13 +22,19 @@ template <> struct chs<double> {
   static constexpr auto inverse = chs_se3_inverse;
   static constexpr auto compose = chs_se3_compose;
   static constexpr auto log = chs_se3_log;
-  static constexpr auto fit = chs_motion_fit;
+  static constexpr auto ik = chs_chain_ik;
+  static constexpr auto ik_step = chs_chain_ik_step;
   static constexpr auto bottema_roth = chs_motion_bottema_roth;
   static constexpr auto laub_shiflett = chs_motion_laub_shiflett;
+  static constexpr auto spoor_veldpaus = chs_motion_spoor_veldpaus;
+  static constexpr auto angeles = chs_motion_angeles;
+  static constexpr auto beggs = chs_motion_beggs;
+  static constexpr auto fit = chs_motion_fit;
 };
 
 template <> struct chs<float> {
   using chain = chs_chainf;
+  using ik_options = chs_ikf;
   static constexpr auto fk = chs_chain_fkf;
   static constexpr auto space_jacobian = chs_chain_space_jacobianf;
   static constexpr auto body_jacobian = chs_chain_body_jacobianf;
@@ -35,9 +42,14 @@ template <> struct chs<float> {
   static constexpr auto inverse = chs_se3_inversef;
   static constexpr auto compose = chs_se3_composef;
   static constexpr auto log = chs_se3_logf;
-  static constexpr auto fit = chs_motion_fitf;
+  static constexpr auto ik = chs_chain_ikf;
+  static constexpr auto ik_step = chs_chain_ik_stepf;
   static constexpr auto bottema_roth = chs_motion_bottema_rothf;
   static constexpr auto laub_shiflett = chs_motion_laub_shiflettf;
+  static constexpr auto spoor_veldpaus = chs_motion_spoor_veldpausf;
+  static constexpr auto angeles = chs_motion_angelesf;
+  static constexpr auto beggs = chs_motion_beggsf;
+  static constexpr auto fit = chs_motion_fitf;
 };
 
 /* The arm of scenes.hpp, its screws given in the fixed frame. All its links being along or across each other at q = 0,
@@ -112,6 +124,9 @@ template <class Real> void describe_precision(library &library) {
   using jacobian_and_pose = std::array<Real, 36 + 16>;
   add_pose<Real>(library, "pose_bottema_roth", chs<Real>::bottema_roth);
   add_pose<Real>(library, "pose_laub_shiflett", chs<Real>::laub_shiflett);
+  add_pose<Real>(library, "pose_spoor_veldpaus", chs<Real>::spoor_veldpaus);
+  add_pose<Real>(library, "pose_angeles", chs<Real>::angeles);
+  add_pose<Real>(library, "pose_beggs", chs<Real>::beggs);
   add<Real, pose, cloud, cloud>(library, "points_100", [](const cloud &before, const cloud &after, pose &T) {
     constexpr Real any = std::numeric_limits<Real>::infinity();
     chs<Real>::fit(scene_points, before.data(), after.data(), nullptr, nullptr, any, nullptr, T.data(), nullptr);
@@ -126,16 +141,15 @@ template <class Real> void describe_precision(library &library) {
     q = start;
     newton_step(goal.data(), q.data(), error);
   });
+  constexpr Real enough = sizeof(Real) == sizeof(float) ? Real(1e-5) : Real(1e-10);
+  static constexpr typename chs<Real>::ik_options options = {CHS_IK_NEWTON, enough, enough, Real(0.1), 50, 0};
+  add<Real, angles, pose, angles>(library, "ur5_ik_step", [](const pose &goal, const angles &start, angles &q) {
+    Real scratch[CHS_CHAIN_IK_SCRATCH(scene_joints)];
+    chs<Real>::ik_step(&ur5<Real>(), goal.data(), start.data(), &options, scratch, q.data(), nullptr);
+  });
   add<Real, angles, pose, angles>(library, "ur5_ik", [](const pose &goal, const angles &start, angles &q) {
-    constexpr Real enough = sizeof(Real) == sizeof(float) ? Real(1e-5) : Real(1e-10);
-    Real error[6];
-    q = start;
-    for (int i = 0; i < 50; ++i) {
-      newton_step(goal.data(), q.data(), error);
-      Real square = 0;
-      for (const Real x : error) square += x * x;
-      if (square <= enough * enough) break;
-    }
+    Real scratch[CHS_CHAIN_IK_SCRATCH(scene_joints)];
+    chs<Real>::ik(&ur5<Real>(), goal.data(), start.data(), &options, scratch, q.data(), nullptr);
   });
 }
 

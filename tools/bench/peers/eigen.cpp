@@ -66,7 +66,8 @@ template <class Real> static void describe_precision(library &eigen) {
         behind_the_screw)
         .remark = "umeyama, the pose without the screw";
   }
-  for (const char *method : {"pose_bottema_roth", "pose_laub_shiflett"}) {
+  for (const char *method :
+       {"pose_bottema_roth", "pose_laub_shiflett", "pose_spoor_veldpaus", "pose_angeles", "pose_beggs"}) {
     add<Real, pose, triangle, triangle>(eigen, method, [](const triangle &before, const triangle &after, pose &T) {
       T.matrix() = Eigen::umeyama(before.points, after.points, false);
     });

@@ -141,11 +141,13 @@ template <class Real> static void describe_arm(library &pin) {
                                                out.J = ur5->data.J;
                                                out.T = ur5->data.oMi[scene_joints] * ur5->tool;
                                              });
-  add<Real, angles, pose, angles>(pin, "ur5_newton_step", [step](const pose &goal, const angles &start, angles &end) {
-    any_angles q = start;
-    step(goal, q);
-    end = q;
-  });
+  for (const char *name : {"ur5_newton_step", "ur5_ik_step"}) {
+    add<Real, angles, pose, angles>(pin, name, [step](const pose &goal, const angles &start, angles &end) {
+      any_angles q = start;
+      step(goal, q);
+      end = q;
+    });
+  }
   add<Real, angles, pose, angles>(pin, "ur5_ik", [step](const pose &goal, const angles &start, angles &end) {
     constexpr Real enough = std::is_same_v<Real, float> ? Real(1e-5) : Real(1e-10);
     any_angles q = start;
@@ -160,5 +162,4 @@ extern "C" void describe_library(library &pin) {
   describe_precision<double>(pin);
   describe_precision<float>(pin);
   describe_arm<double>(pin);
-  describe_arm<float>(pin);
 }
