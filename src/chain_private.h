@@ -54,7 +54,7 @@ static inline int turn(place *t, int i, int j, int k, real q, const real v[3]) {
   return 1;
 }
 
-/* omega . v of a joint rounded once: what rounding leaves of it in a revolute joint turns far with the joint. */
+/* omega . v of a joint rounded once: in a revolute joint it is nothing but rounding, and q times that would count. */
 real FN(chs_p_exact_pitch)(const real S[6]);
 
 /* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
@@ -66,7 +66,7 @@ static inline int turn_about(place *t, real ww, real q, const real S[6]) {
   const real *w = s, *v = s + 3;
   rotation_from(w, sine, K(0.5) * versine, K(1.0) - K(0.5) * versine, E);
   cross(w, v, wxv);
-  real pitch = ABS(q) <= CHS_PI_A ? dot(w, v) : k * k * FN(chs_p_exact_pitch)(S), along = (q - sine) * pitch;
+  real pitch = ABS(q) <= 1 ? dot(w, v) : k * k * FN(chs_p_exact_pitch)(S), along = (q - sine) * pitch;
   for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
   move(t, E, u);
   return 1;

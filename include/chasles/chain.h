@@ -60,7 +60,7 @@ typedef struct chs_chainf {
  * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE and
  * CHS_ERR_OVERFLOW. */
 #define CHS_EPS_CHAIN_FK_ROTATION 4.0
-#define CHS_EPS_CHAIN_FK_TRANSLATION 4.0
+#define CHS_EPS_CHAIN_FK_TRANSLATION 8.0
 int chs_chain_fk(const chs_chain *chain, const double *q, double T[16]);
 int chs_chain_fkf(const chs_chainf *chain, const float *q, float T[16]);
 
@@ -74,7 +74,7 @@ int chs_chain_fkf(const chs_chainf *chain, const float *q, float T[16]);
  * plus |p| of M.
  * Returns as chs_chain_fk. */
 #define CHS_EPS_CHAIN_LINKS_ROTATION 4.0
-#define CHS_EPS_CHAIN_LINKS_TRANSLATION 4.0
+#define CHS_EPS_CHAIN_LINKS_TRANSLATION 8.0
 int chs_chain_links(const chs_chain *chain, const double *q, double *D);
 int chs_chain_linksf(const chs_chainf *chain, const float *q, float *D);
 
@@ -88,9 +88,9 @@ int chs_chain_linksf(const chs_chainf *chain, const float *q, float *D);
  * reach, both times the largest |omega| where that is a gear ratio above 1.
  * Returns as chs_chain_fk. */
 #define CHS_EPS_CHAIN_SPACE_JACOBIAN_ANGULAR 4.0
-#define CHS_EPS_CHAIN_SPACE_JACOBIAN_LINEAR 4.0
+#define CHS_EPS_CHAIN_SPACE_JACOBIAN_LINEAR 8.0
 #define CHS_EPS_CHAIN_BODY_JACOBIAN_ANGULAR 4.0
-#define CHS_EPS_CHAIN_BODY_JACOBIAN_LINEAR 4.0
+#define CHS_EPS_CHAIN_BODY_JACOBIAN_LINEAR 8.0
 int chs_chain_space_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);
 int chs_chain_space_jacobianf(const chs_chainf *chain, const float *q, float *J, float T[16]);
 int chs_chain_body_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);
@@ -120,7 +120,7 @@ void chs_chain_twistf(int joints, const float *J, const float *rates, float V[6]
  *
  * The errors are relative to sigma[0].
  * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1 or not length > 0; CHS_ERR_NAN, CHS_ERR_INFINITE; CHS_ERR_OVERFLOW. */
-#define CHS_EPS_CHAIN_SINGULAR_VALUES 8.0
+#define CHS_EPS_CHAIN_SINGULAR_VALUES 16.0
 int chs_chain_singular_values(int joints, const double *J, double length, double *scratch, double sigma[6]);
 int chs_chain_singular_valuesf(int joints, const float *J, float length, float *scratch, float sigma[6]);
 
@@ -130,8 +130,8 @@ int chs_chain_rank(int joints, const double *J, double length, double *scratch, 
 int chs_chain_rankf(int joints, const float *J, float length, float *scratch, int *rank);
 
 /* Yoshikawa's manipulability, sqrt(det(J J^T)), the product of the six singular values; where n < 6, sqrt(det(J^T J)),
- * that of the n. The error is relative to that product with its smallest factor replaced by the largest. Arguments and
- * answers as above. */
+ * that of the n. The error is relative to that product with its smallest factor replaced by the largest, and none of the
+ * others counted for less than 16 eps sigma[0]. Arguments and answers as above. */
 #define CHS_EPS_CHAIN_MANIPULABILITY 24.0
 int chs_chain_manipulability(int joints, const double *J, double length, double *scratch, double *manipulability);
 int chs_chain_manipulabilityf(int joints, const float *J, float length, float *scratch, float *manipulability);
@@ -146,7 +146,7 @@ int chs_chain_conditionf(int joints, const float *J, float length, float *scratc
 /* det J of six joints, by elimination. The error is relative to the product of the lengths of the columns, which bounds
  * the determinant.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, and CHS_ERR_OVERFLOW where that product is beyond the format. */
-#define CHS_EPS_CHAIN_DETERMINANT 16.0
+#define CHS_EPS_CHAIN_DETERMINANT 6.0
 int chs_chain_determinant(const double J[36], double *determinant);
 int chs_chain_determinantf(const float J[36], float *determinant);
 
@@ -155,7 +155,7 @@ int chs_chain_determinantf(const float J[36], float *determinant);
  * The error is relative to |rates| times the condition number of J.
  * Returns CHS_OK; CHS_ERR_SINGULAR where a column is a combination of those before it to within rounding, 64 eps of its
  * length; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
-#define CHS_EPS_CHAIN_RATES_INVERSE 16.0
+#define CHS_EPS_CHAIN_RATES_INVERSE 8.0
 int chs_chain_rates_inverse(const double J[36], const double V[6], double *rates);
 int chs_chain_rates_inversef(const float J[36], const float V[6], float *rates);
 
@@ -167,7 +167,7 @@ int chs_chain_rates_inversef(const float J[36], const float V[6], float *rates);
  *
  * With s the smallest singular value that counts the error is relative to sigma[0] |V| / s^2, V with v / length for v.
  * Returns CHS_OK; CHS_NEAR_SINGULAR where the rank is less than min(n, 6); and as above. */
-#define CHS_EPS_CHAIN_RATES_PSEUDOINVERSE 16.0
+#define CHS_EPS_CHAIN_RATES_PSEUDOINVERSE 8.0
 int chs_chain_rates_pseudoinverse(int joints, const double *J, const double V[6], double length, double *scratch,
                                   double *rates);
 int chs_chain_rates_pseudoinversef(int joints, const float *J, const float V[6], float length, float *scratch,
@@ -185,7 +185,7 @@ int chs_chain_rates_pseudoinversef(int joints, const float *J, const float V[6],
  * lambda follows.
  * Returns CHS_OK; CHS_NEAR_SINGULAR where lambda follows and is not 0; CHS_ERR_ARGUMENT also for a damping that is not
  * above 0 or a `near` below 0; and as above. */
-#define CHS_EPS_CHAIN_RATES_DAMPED 16.0
+#define CHS_EPS_CHAIN_RATES_DAMPED 8.0
 int chs_chain_rates_damped(int joints, const double *J, const double V[6], double length, double damping, double near,
                            double *scratch, double *rates);
 int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float length, float damping, float near,

@@ -361,8 +361,8 @@ def evaluate_rank(fmt, x):
 
 def evaluate_manipulability(fmt, x):
     sigma = singular_values(divided(x[:36], 6, x[36]))
-    first = mp.fprod(sigma[:-1])
-    return Result([first * sigma[-1]], [first * sigma[0]])
+    others = mp.fprod(max(s, 16 * fmt.eps * sigma[0]) for s in sigma[:-1])
+    return Result([mp.fprod(sigma)], [others * sigma[0]])
 
 
 def evaluate_condition(fmt, x):
