@@ -21,7 +21,8 @@ typedef struct search {
   const chain *c;
   const ik_options *options;
   place goal;
-  real unit; /* the length that counts as much as a radian */
+  real per_length; /* the angle that counts as much as a unit of length */
+  int last;        /* no step will follow */
   stand now, next;
   real *dq, *weights, *start, *X;
 } search;
@@ -50,21 +51,22 @@ static void hold(const chain *c, real *q) {
 }
 
 /* Moves what the Jacobian tells of to the tool's own point. */
-static void to_tool(const place *t, int n, real unit, real *J) {
+static void to_tool(const place *t, int n, real per_length, real *J) {
   for (int i = 0; i < n; i++) {
     real column[6], moment[3];
     get_column(J, n, i, column);
     cross(t->p, column, moment);
-    for (int row = 0; row < 3; row++) column[3 + row] = (column[3 + row] - moment[row]) / unit;
+    for (int row = 0; row < 3; row++) column[3 + row] = (column[3 + row] - moment[row]) * per_length;
     put_column(column, n, i, J);
   }
 }
 
-/* What is left to do at s->q. CHS_OK; an error of the rotation; or CHS_ERR_OVERFLOW where there is no place to look at. */
+/* What is left to do at at->q, and the Jacobian if more steps follow. CHS_OK; an error of the rotation; or
+ * CHS_ERR_OVERFLOW where there is no place to look at. */
 static int look(const search *s, stand *at) {
   place t;
   real back[9], left[9];
-  if (!FN(chs_p_walk)(s->c, at->q, at->J, &t)) return CHS_ERR_OVERFLOW;
+  if (!FN(chs_p_walk)(s->c, at->q, s->last ? NULL : at->J, &t)) return CHS_ERR_OVERFLOW;
   transpose(t.R, back);
   multiply(s->goal.R, back, left);
   int status = FN(chs_so3_log)(left, at->error);
@@ -72,9 +74,9 @@ static int look(const search *s, stand *at) {
   subtract(s->goal.p, t.p, at->error + 3);
   at->angle = norm(at->error, 3);
   at->length = norm(at->error + 3, 3);
-  for (int i = 3; i < 6; i++) at->error[i] /= s->unit;
+  for (int i = 3; i < 6; i++) at->error[i] *= s->per_length;
   at->square = dot(at->error, at->error) + dot(at->error + 3, at->error + 3);
-  to_tool(&t, s->c->joints, s->unit, at->J);
+  if (!s->last) to_tool(&t, s->c->joints, s->per_length, at->J);
   return CHS_OK;
 }
 
@@ -213,7 +215,7 @@ static void start_elsewhere(const search *s, int turn, uint32_t *random, real *q
   real far = turn < 5 ? K(0.1) * (real)(1 << turn) : CHS_PI_A;
   for (int i = 0; i < s->c->joints; i++) {
     const real *w = s->c->screws + 6 * i;
-    real range = largest(w, 3) > 0 ? far : far * s->unit, share = random_share(random);
+    real range = largest(w, 3) > 0 ? far : far / s->per_length, share = random_share(random);
     if (limits && limits[2 * i + 1] - limits[2 * i] < K(2.0) * CHS_PI_A * range / far)
       range = (limits[2 * i + 1] - limits[2 * i]) * far / (K(2.0) * CHS_PI_A);
     q[i] = s->start[i] + share * range;
@@ -222,7 +224,11 @@ static void start_elsewhere(const search *s, int turn, uint32_t *random, real *q
 
 static enum outcome descend(search *s, int steps) {
   enum outcome outcome = MOVED;
-  for (int i = 0; i < steps && outcome == MOVED && !is_there(s, &s->now); i++) outcome = step(s);
+  for (int i = 0; i < steps && outcome == MOVED && !is_there(s, &s->now); i++) {
+    s->last = i == steps - 1;
+    outcome = step(s);
+  }
+  s->last = 0;
   return outcome;
 }
 
@@ -237,17 +243,20 @@ static int find(const chain *c, const real T[16], const real *start, const ik_op
                 real *scratch, real *q, real residual[2]) {
   int n = c->joints, m = n > 6 ? n : 6, status = check_options(c, o);
   if (status != CHS_OK) return status;
-  search s = {c,
-              o,
-              {{0}, {0}},
-              o->length / o->angle,
-              {scratch, scratch + 6 * m, {0}, 0, 0, 0},
-              {scratch + m, scratch + 12 * m, {0}, 0, 0, 0},
-              scratch + 2 * m,
-              scratch + 3 * m,
-              scratch + 4 * m,
-              scratch + 18 * m};
+  search s;
+  s.c = c;
+  s.options = o;
+  s.per_length = o->angle / o->length;
+  s.last = 0;
+  s.now.q = scratch;
+  s.next.q = scratch + m;
+  s.dq = scratch + 2 * m;
+  s.weights = scratch + 3 * m;
+  s.start = scratch + 4 * m;
   real *best = scratch + 5 * m;
+  s.now.J = scratch + 6 * m;
+  s.next.J = scratch + 12 * m;
+  s.X = scratch + 18 * m;
   part(T, s.goal.R, s.goal.p);
   status = first_error(check_rotation(s.goal.R), finiteness(s.goal.p, 3));
   status = first_error(status, finiteness(start, n));

@@ -19,23 +19,21 @@ static int pivot_row(const real A[36], int column) {
 }
 
 real FN(chs_p_eliminate)(real A[36], real b[6], real *determinant) {
-  real least = 1, det = 1, lengths[6];
-  for (int j = 0; j < 6; j++) {
-    const real column[6] = {A[j], A[6 + j], A[12 + j], A[18 + j], A[24 + j], A[30 + j]};
-    lengths[j] = norm(column, 6);
-  }
+  real least = 1, det = 1, sizes[6] = {0, 0, 0, 0, 0, 0}, inverses[6];
+  for (int i = 0; i < 36; i++) sizes[i % 6] = ABS(A[i]) > sizes[i % 6] ? ABS(A[i]) : sizes[i % 6];
   for (int j = 0; j < 6; j++) {
     int i = pivot_row(A, j);
     if (i != j) {
       exchange_rows(A, b, i, j);
       det = -det;
     }
-    real pivot = A[7 * j], share = lengths[j] > 0 ? ABS(pivot) / lengths[j] : K(0.0);
+    real pivot = A[7 * j];
     det *= pivot;
-    least = share < least ? share : least;
+    if (ABS(pivot) <= least * sizes[j]) least = sizes[j] > 0 ? ABS(pivot) / sizes[j] : K(0.0);
     if (pivot == 0) break;
+    inverses[j] = K(1.0) / pivot;
     for (i = j + 1; i < 6; i++) {
-      real factor = A[6 * i + j] / pivot;
+      real factor = A[6 * i + j] * inverses[j];
       for (int k = j + 1; k < 6; k++) A[6 * i + k] -= factor * A[6 * j + k];
       b[i] -= factor * b[j];
     }
@@ -43,7 +41,7 @@ real FN(chs_p_eliminate)(real A[36], real b[6], real *determinant) {
   *determinant = det;
   for (int i = 5; i >= 0 && least > 0; i--) {
     for (int k = i + 1; k < 6; k++) b[i] -= A[6 * i + k] * b[k];
-    b[i] /= A[7 * i];
+    b[i] *= inverses[i];
   }
   return least;
 }

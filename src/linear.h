@@ -13,7 +13,7 @@
 #include "vec3.h"
 
 /* x = A^-1 b and det A by elimination with row interchanges; A is overwritten, and b becomes x. Returns the least pivot
- * relative to the length of its column: 0, and no x, where a column is 0 or a combination of those before it. */
+ * relative to the largest entry of its column: 0, and no x, where a column is 0 or a combination of those before it. */
 real FN(chs_p_eliminate)(real A[36], real b[6], real *determinant);
 
 /* The singular values of J / size, of which no entry is larger than 1, J being 6 x n with its last three rows divided by

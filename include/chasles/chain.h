@@ -154,7 +154,7 @@ int chs_chain_determinantf(const float J[36], float *determinant);
  *
  * The error is relative to |rates| times the condition number of J.
  * Returns CHS_OK; CHS_ERR_SINGULAR where a column is a combination of those before it to within rounding, 64 eps of its
- * length; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
+ * largest entry; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
 #define CHS_EPS_CHAIN_RATES_INVERSE 8.0
 int chs_chain_rates_inverse(const double J[36], const double V[6], double *rates);
 int chs_chain_rates_inversef(const float J[36], const float V[6], float *rates);
