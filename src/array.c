@@ -6,7 +6,7 @@
 #include "pose.h"
 #include "rotation.h"
 
-enum { LANES = 16 };
+enum { LANES = 8 };
 
 /* The answer to several elements: the first error, else the first positive status. */
 typedef struct answers {

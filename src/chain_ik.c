@@ -124,9 +124,8 @@ static int move_if_nearer(search *s) {
 
 /* dq = J^-1 error, where J has one. */
 static int solve_exactly(search *s) {
-  real A[36], det;
-  copy(s->now.J, 36, A);
-  copy(s->now.error, 6, s->dq);
+  real A[42], det;
+  augment(s->now.J, s->now.error, 1, A);
   return FN(chs_p_eliminate)(A, s->dq, &det) > SQRT(EPS);
 }
 

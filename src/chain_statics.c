@@ -66,24 +66,24 @@ int FN(chs_chain_condition)(int n, const real *J, real length, real *scratch, re
 }
 
 int FN(chs_chain_determinant)(const real J[36], real *determinant) {
-  real A[36], b[6] = {0, 0, 0, 0, 0, 0}, det;
-  copy(J, 36, A);
-  FN(chs_p_eliminate)(A, b, &det);
+  static const real nothing[6] = {0, 0, 0, 0, 0, 0};
+  real A[42], x[6], det;
+  augment(J, nothing, 1, A);
+  FN(chs_p_eliminate)(A, x, &det);
   if (!is_finite(det)) return why_not_finite(J, 36);
   *determinant = det;
   return CHS_OK;
 }
 
-/* The unit of length in which the last three rows are as large as the first three. */
-static real balancing_unit(const real J[36]) {
-  real unit = largest(J + 18, 18) / largest(J, 18);
-  return unit > 0 && is_finite(unit) ? unit : K(1.0);
+/* The factor that makes the last three rows as large as the first three. */
+static real balance(const real J[36]) {
+  real factor = largest(J, 18) / largest(J + 18, 18);
+  return factor > 0 && is_finite(factor) ? factor : K(1.0);
 }
 
 int FN(chs_chain_rates_inverse)(const real J[36], const real V[6], real *rates) {
-  real A[36], x[6], det, unit = balancing_unit(J);
-  for (int i = 0; i < 36; i++) A[i] = i < 18 ? J[i] : J[i] / unit;
-  for (int i = 0; i < 6; i++) x[i] = i < 3 ? V[i] : V[i] / unit;
+  real A[42], x[6] = {0, 0, 0, 0, 0, 0}, det;
+  augment(J, V, balance(J), A);
   int regular = FN(chs_p_eliminate)(A, x, &det) > K(64.0) * EPS;
   if (!regular || !is_finite(det) || !all_finite(x, 6)) {
     int status = first_error(finiteness(J, 36), finiteness(V, 6));

@@ -1,47 +1,61 @@
 #include "linear.h"
 
-static void exchange_rows(real A[36], real b[6], int i, int j) {
-  for (int k = 0; k < 6; k++) {
-    real x = A[6 * i + k];
-    A[6 * i + k] = A[6 * j + k];
-    A[6 * j + k] = x;
-  }
-  real x = b[i];
-  b[i] = b[j];
-  b[j] = x;
+/* Rows of A and b together, written out: seven numbers each. */
+static void exchange(real *x, real *y) {
+  real z[7];
+  copy(x, 7, z);
+  copy(y, 7, x);
+  copy(z, 7, y);
 }
 
-static int pivot_row(const real A[36], int column) {
+static inline void take_away(real factor, const real *x, real *y) {
+  y[0] -= factor * x[0];
+  y[1] -= factor * x[1];
+  y[2] -= factor * x[2];
+  y[3] -= factor * x[3];
+  y[4] -= factor * x[4];
+  y[5] -= factor * x[5];
+  y[6] -= factor * x[6];
+}
+
+/* Selections in place of branches here and below: which row it is cannot be foreseen. */
+static inline int pivot_row(const real *A, int column) {
   int best = column;
-  for (int i = column + 1; i < 6; i++)
-    if (ABS(A[6 * i + column]) > ABS(A[6 * best + column])) best = i;
+  real most = ABS(A[8 * column]);
+  for (int i = column + 1; i < 6; i++) {
+    real size = ABS(A[7 * i + column]);
+    int larger = size > most;
+    best += larger * (i - best);
+    most = larger ? size : most;
+  }
   return best;
 }
 
-real FN(chs_p_eliminate)(real A[36], real b[6], real *determinant) {
-  real least = 1, det = 1, sizes[6] = {0, 0, 0, 0, 0, 0}, inverses[6];
-  for (int i = 0; i < 36; i++) sizes[i % 6] = ABS(A[i]) > sizes[i % 6] ? ABS(A[i]) : sizes[i % 6];
+static real largest_of_column(const real *A, int j) {
+  const real column[6] = {A[j], A[7 + j], A[14 + j], A[21 + j], A[28 + j], A[35 + j]};
+  return largest(column, 6);
+}
+
+real FN(chs_p_eliminate)(real A[42], real x[6], real *determinant) {
+  real least = 1, det = 1, sizes[6], inverses[6];
+  for (int j = 0; j < 6; j++) sizes[j] = largest_of_column(A, j);
   for (int j = 0; j < 6; j++) {
-    int i = pivot_row(A, j);
-    if (i != j) {
-      exchange_rows(A, b, i, j);
-      det = -det;
-    }
-    real pivot = A[7 * j];
-    det *= pivot;
-    if (ABS(pivot) <= least * sizes[j]) least = sizes[j] > 0 ? ABS(pivot) / sizes[j] : K(0.0);
+    int best = pivot_row(A, j);
+    exchange(A + 7 * best, A + 7 * j);
+    real pivot = A[8 * j], share = ABS(pivot) / sizes[j];
+    det *= best == j ? pivot : -pivot;
+    least = share < least ? share : least;
+    if (pivot == 0) least = 0;
     if (pivot == 0) break;
     inverses[j] = K(1.0) / pivot;
-    for (i = j + 1; i < 6; i++) {
-      real factor = A[6 * i + j] * inverses[j];
-      for (int k = j + 1; k < 6; k++) A[6 * i + k] -= factor * A[6 * j + k];
-      b[i] -= factor * b[j];
-    }
+    /* What is left below the diagonal is never read. */
+    for (int i = j + 1; i < 6; i++) take_away(A[7 * i + j] * inverses[j], A + 7 * j, A + 7 * i);
   }
   *determinant = det;
   for (int i = 5; i >= 0 && least > 0; i--) {
-    for (int k = i + 1; k < 6; k++) b[i] -= A[6 * i + k] * b[k];
-    b[i] *= inverses[i];
+    real rest = A[7 * i + 6];
+    for (int k = i + 1; k < 6; k++) rest -= A[7 * i + k] * x[k];
+    x[i] = rest * inverses[i];
   }
   return least;
 }

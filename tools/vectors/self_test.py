@@ -12,6 +12,7 @@ from mpmath import factorial, ldexp, mp, mpf, pi, sin, workprec
 
 import cases_agile_eye
 import cases_se3
+import chains
 import dh
 import exact
 import sampling
@@ -218,7 +219,9 @@ def check_adjoint(rng):
     product = lambda a, b: [sum(a[4 * i + k] * b[4 * k + j] for k in range(4)) for i in range(4) for j in range(4)]
     Ad, inverse = exact.adjoint(R, p), exact.adjoint_inverse(R, p)
     carried = exact.apply6(Ad, V)
-    return distance(exact.twist_matrix(carried), product(product(T, W), back)) + distance(exact.apply6(inverse, carried), V)
+    return distance(exact.twist_matrix(carried), product(product(T, W), back)) + distance(
+        exact.apply6(inverse, carried), V
+    )
 
 
 def check_wrench(rng):
@@ -325,9 +328,46 @@ def check_agile_eye(rng):
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         N, length = c[j] * s[k] - s[j] * s[i] * c[k] * c[i], d[j] * d[k]
-        closed[3 * i + j], closed[3 * j + j], closed[3 * k + j] = -N / length, c[i] * legs.D / length, s[i] * legs.D / length
+        closed[3 * i + j], closed[3 * j + j], closed[3 * k + j] = (
+            -N / length,
+            c[i] * legs.D / length,
+            s[i] * legs.D / length,
+        )
     open_by = sum(abs(dot(legs.w[i], exact.column(R, (i + 1) % 3))) for i in range(3))
     return open_by + exact.deviation(R) + distance(R, closed)
+
+
+def random_chain(rng):
+    """(screws, home, q) of six joints, one of them a slide and one a helix."""
+    screws = [
+        w + add(cross(vector(rng, uniform(rng, 0, 2)), w), times(h, w))
+        for w, h in zip((direction(rng) for _ in range(5)), (0, 0, mpf("0.3"), 0, 0))
+    ] + [[mpf(0)] * 3 + direction(rng)]
+    home = random_exact_rotation(rng), vector(rng, uniform(rng, 0, 2))
+    return screws, home, [uniform(rng, -3, 3) for _ in screws]
+
+
+def check_chain(rng):
+    """Products of power series of 4x4 matrices, and the body form beside the space form."""
+    fmt, (screws, home, q) = FORMATS[0], random_chain(rng)
+    T = exact.pose_matrix(*exact.compose(home, chains.IDENTITY))
+    for S, x in reversed(list(zip(screws, q))):
+        E = square_matrix_power_series(exact.twist_matrix(times(x, S)), 4, lambda k: 1 / factorial(k))
+        T = exact.pose_matrix(*exact.compose(exact.pose(E), exact.pose(T)))
+    carry = exact.adjoint_inverse(*home)
+    body = [exact.apply6(carry, S) for S in screws]
+    forms = chains.forward(fmt, screws, home, False, q), chains.forward(fmt, body, home, True, q)
+    return max(distance(T, exact.pose_matrix(*form)) for form in forms)
+
+
+def check_chain_jacobian(rng):
+    """The body Jacobian backwards from the tool: Ad(exp(-B_n q_n) ... exp(-B_(i+1) q_(i+1))) B_i."""
+    fmt, (screws, home, q) = FORMATS[0], random_chain(rng)
+    back, columns = chains.IDENTITY, []
+    for S, x in reversed(list(zip(screws, q))):
+        columns.insert(0, exact.apply6(exact.adjoint(*back), S))
+        back = exact.compose(back, exact.pose_exp(times(-x, S)))
+    return max(distance(a, b) for a, b in zip(columns, chains.body_columns(fmt, screws, home, True, q)))
 
 
 CHECKS = [
@@ -352,6 +392,8 @@ CHECKS = [
     (check_screw, 300),
     (check_line, 300),
     (check_dh, 100),
+    (check_chain, 100),
+    (check_chain_jacobian, 100),
     (check_tilt, 300),
     (check_displacement, 200),
     (check_agile_eye, 200),
