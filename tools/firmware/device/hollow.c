@@ -1,10 +1,9 @@
-/* hollow.c - the library's functions without their contents: what a call costs besides, to be taken off the counts.
- *
- * Weak, so that others may stand in for some of them.
+/* hollow.c - the library's functions without their contents: what a call costs besides, to be taken off the counts. It
+ * stands before the library when the program is linked, and the first definition counts.
  */
-#define FUNCTION(name, ...)                                \
-  int chs_##name(void);                                    \
-  int chs_##name##f(void);                                 \
-  __attribute__((weak)) int chs_##name(void) { return 0; } \
-  __attribute__((weak)) int chs_##name##f(void) { return 0; }
+#define FUNCTION(name, ...)          \
+  int chs_##name(void);              \
+  int chs_##name##f(void);           \
+  int chs_##name(void) { return 0; } \
+  int chs_##name##f(void) { return 0; }
 #include "functions.def"
