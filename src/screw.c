@@ -93,7 +93,7 @@ int FN(chs_screw_revolute)(const real q[3], const real s[3], real S[6]) {
 }
 
 int FN(chs_screw_prismatic)(const real s[3], real S[6]) {
-  int status = FN(chs_screw_helical)(none, s, INFINITY, S);
+  int status = FN(chs_screw_helical)(none, s, (real)INFINITY, S);
   return status == CHS_PURE_TRANSLATION ? CHS_OK : status;
 }
 
@@ -105,7 +105,7 @@ int FN(chs_screw_axis_parts)(const real S[6], real q[3], real s[3], real *h) {
   if (largest(S, 3) == 0) {
     unit(S + 3, s);
     copy(none, 3, q);
-    *h = INFINITY;
+    *h = (real)INFINITY;
     return CHS_PURE_TRANSLATION;
   }
   axis_of(S, e, m, &pitch);
@@ -123,7 +123,7 @@ int FN(chs_screw_axis_pitch)(const real S[6], real *h) {
   real e[3], m[3], pitch;
   if (largest(S, 6) == 0) return CHS_ERR_SINGULAR;
   if (largest(S, 3) == 0) {
-    *h = INFINITY;
+    *h = (real)INFINITY;
     return CHS_PURE_TRANSLATION;
   }
   axis_of(S, e, m, &pitch);

@@ -103,7 +103,7 @@ static int assembly_of(const double *joints, const double *R) {
 }
 
 static struct node study_node(const struct options *options, double phi, double theta, double sigma) {
-  struct node node = {NAN, NAN, NAN, CHS_OK, 0};
+  struct node node = {(double)NAN, (double)NAN, (double)NAN, CHS_OK, 0};
   double R[9];
   double joints[3];
   node.status = chs_tilt_to_rotation(in_radians(phi), in_radians(theta), in_radians(sigma), R);
