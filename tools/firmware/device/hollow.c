@@ -7,3 +7,7 @@
   int chs_##name(void) { return 0; } \
   int chs_##name##f(void) { return 0; }
 #include "functions.def"
+
+/* What the registry's calls use besides. */
+FUNCTION(motion_begin, )
+FUNCTION(motion_add, )
