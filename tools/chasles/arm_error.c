@@ -75,7 +75,7 @@ static int pose_of_arm(const double *q, void *chain, double *T) { return chs_cha
 static void study_node(struct study *study, const double *q, struct node *node, double *where) {
   const int joints = study->robot.joints;
   double scratch[MOST_SCRATCH];
-  for (int m = 0; m < MEASURES; ++m) node->worst[m] = NAN;
+  for (int m = 0; m < MEASURES; ++m) node->worst[m] = (double)NAN;
   node->status = chs_tilt_worst(pose_of_arm, &study->chain, joints, q, study->errors, (int)study->options->grid,
                                 (int)study->options->refine, scratch, node->worst, where);
   for (int m = 0; m < MEASURES; ++m) {
@@ -150,7 +150,7 @@ static void print_extremes(const struct study *study, FILE *file) {
   static const char *const names[] = {"alpha", "beta", "position"};
   const long count = (long)study->steps * study->steps;
   for (int m = 0; m < MEASURES; ++m) {
-    double least = INFINITY;
+    double least = (double)INFINITY;
     double most = 0.0;
     for (long k = 0; k < count; ++k) {
       least = fmin(least, study->nodes[k].worst[m]);
