@@ -10,6 +10,7 @@ int fk_command(int argc, char **argv);
 int ik_command(int argc, char **argv);
 int hash_command(int argc, char **argv);
 int solve_command(int argc, char **argv);
+int study_command(int argc, char **argv);
 
 extern const char agile_eye_help[];
 extern const char arm_error_help[];
@@ -19,6 +20,7 @@ extern const char fk_help[];
 extern const char ik_help[];
 extern const char hash_help[];
 extern const char solve_help[];
+extern const char study_help[];
 
 /* The message for an option that getopt_long did not accept; returns the exit status. `option` is what it returned,
  * '?' or ':' (the caller's short options start with a colon). */

@@ -7,26 +7,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "random.h"
+
 enum { X, Y, Z };
 
 static const double pi = 3.14159265358979323846;
 
-/* Sebastiano Vigna's splitmix64. */
-static uint64_t next_bits(struct source *source) {
-  uint64_t z = source->state += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
 struct source source_for(const struct function *function, enum precision precision, uint64_t seed) {
   struct source source = {seed, precision};
-  for (const char *c = function->name; *c != '\0'; ++c) source.state = next_bits(&source) ^ (uint64_t)(unsigned char)*c;
-  source.state = next_bits(&source) ^ (uint64_t)precision;
+  for (const char *c = function->name; *c != '\0'; ++c)
+    source.state = next_bits(&source.state) ^ (uint64_t)(unsigned char)*c;
+  source.state = next_bits(&source.state) ^ (uint64_t)precision;
   return source;
 }
 
-static int below(struct source *source, int count) { return (int)((next_bits(source) >> 32) % (uint64_t)count); }
+static int below(struct source *source, int count) {
+  return (int)((next_bits(&source->state) >> 32) % (uint64_t)count);
+}
 
 static bool one_in(struct source *source, int count) { return below(source, count) == 0; }
 
@@ -43,9 +40,9 @@ static int mantissa_bits(const struct source *source) { return source->precision
 static double number(struct source *source, int least, int most) {
   const int width = mantissa_bits(source);
   const int bias = source->precision == DOUBLE_PRECISION ? 1023 : 127;
-  const uint64_t sign = next_bits(source) & 1u;
+  const uint64_t sign = next_bits(&source->state) & 1u;
   const uint64_t exponent = (uint64_t)(least + below(source, most - least + 1) + bias);
-  uint64_t mantissa = next_bits(source) >> (64 - width);
+  uint64_t mantissa = next_bits(&source->state) >> (64 - width);
   if (one_in(source, 8)) mantissa &= (uint64_t)7 << (width - 3);
   const uint64_t bits = (((sign << (source->precision == DOUBLE_PRECISION ? 11 : 8)) | exponent) << width) | mantissa;
   return precision_number(bits, source->precision);
@@ -54,7 +51,7 @@ static double number(struct source *source, int least, int most) {
 /* Flips some of the lowest `count` bits of the mantissa. */
 static double jitter(struct source *source, double x, int count) {
   const uint64_t mask = ((uint64_t)1 << count) - 1u;
-  return precision_number(precision_bits(x, source->precision) ^ (next_bits(source) & mask), source->precision);
+  return precision_number(precision_bits(x, source->precision) ^ (next_bits(&source->state) & mask), source->precision);
 }
 
 /* Exponents of magnitudes from nearly the least to nearly the greatest number. */
@@ -531,7 +528,7 @@ bool kinds_are_right(const struct function *function) {
 static void make_extreme(struct source *source, double *x) {
   const bool wide = source->precision == DOUBLE_PRECISION;
   const double extremes[] = {(double)NAN, (double)INFINITY, wide ? DBL_MAX : (double)FLT_MAX,
-                             precision_number(1 + (next_bits(source) >> 44), source->precision)};
+                             precision_number(1 + (next_bits(&source->state) >> 44), source->precision)};
   *x = extremes[below(source, 4)];
   if (one_in(source, 2)) *x = -*x;
 }

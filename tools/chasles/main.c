@@ -14,6 +14,7 @@ static const char help[] =
     "subcommands:\n"
     "  compare DIR_OR_FILE...  compare the library with reference vectors and print the errors\n"
     "  solve FILE.csv          find the screw motion of a body from measured markers\n"
+    "  study                   compare the methods for three points as Fenton & Shi 1990 did\n"
     "  fk ROBOT VALUE...       forward kinematics: the pose of a robot's tool, its links, its Jacobian\n"
     "  ik ROBOT NUMBER...      inverse kinematics: the joint values at which the tool has a pose\n"
     "  dh ROBOT                tell a robot by Denavit and Hartenberg's parameters, or by screws\n"
@@ -41,6 +42,7 @@ struct command {
 static const struct command commands[] = {
     {"compare", compare_command, compare_help},
     {"solve", solve_command, solve_help},
+    {"study", study_command, study_help},
     {"fk", fk_command, fk_help},
     {"ik", ik_command, ik_help},
     {"dh", dh_command, dh_help},

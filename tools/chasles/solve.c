@@ -8,6 +8,7 @@
 #include "angles.h"
 #include "commands.h"
 #include "markers.h"
+#include "methods.h"
 #include "text.h"
 
 const char solve_help[] =
@@ -58,23 +59,8 @@ const char solve_help[] =
     "  chasles solve --markers Forearm1,Forearm2,Forearm3 --relative-to Arm1,Arm2,Arm3 --out elbow.csv trial.csv\n"
     "  chasles solve --against previous --method bottema-roth --out screws.csv trial.csv\n";
 
-typedef int three_points(const double *initial, const double *final, double tolerance, chs_screw *screw, double *T);
+static const struct method *const least_squares = &methods[METHODS - 1];
 
-struct method {
-  const char *name;
-  three_points *solve; /* NULL: least squares, for any number */
-};
-
-static const struct method methods[] = {
-    {"least-squares", NULL},
-    {"spoor-veldpaus", chs_motion_spoor_veldpaus},
-    {"laub-shiflett", chs_motion_laub_shiflett},
-    {"angeles", chs_motion_angeles},
-    {"beggs", chs_motion_beggs},
-    {"bottema-roth", chs_motion_bottema_roth},
-};
-
-enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
 enum { AGAINST_FIRST = 0, AGAINST_PREVIOUS = -1 }; /* or the number of a frame */
 
 struct options {
@@ -593,10 +579,8 @@ static int solve(const struct options *options) {
 /* ---- Options ---- */
 
 static bool read_method(const char *name, struct options *options) {
-  for (int i = 0; i < METHODS; ++i) {
-    options->method = &methods[i];
-    if (strcmp(methods[i].name, name) == 0) return true;
-  }
+  options->method = find_method(name);
+  if (options->method != NULL) return true;
   complain("--method expects least-squares, spoor-veldpaus, laub-shiflett, angeles, beggs or bottema-roth, not '%s'",
            name);
   return false;
@@ -671,7 +655,7 @@ static bool options_agree(const struct options *options) {
     complain("%d markers: only --method least-squares takes more than three", points);
   } else if (options->weight_count > 0 && options->weight_count != points) {
     complain("--weights has %d numbers for %d markers", options->weight_count, points);
-  } else if (options->weight_count > 0 && options->method != &methods[0]) {
+  } else if (options->weight_count > 0 && options->method != least_squares) {
     complain("--weights needs --method least-squares");
   } else if (options->sigma >= 0.0 && options->method != NULL && options->method->solve != NULL) {
     complain("--covariance needs --method least-squares");
@@ -732,7 +716,7 @@ int solve_command(int argc, char **argv) {
   struct options options;
   memset(&options, 0, sizeof options);
   options.points = 3;
-  options.method = &methods[0];
+  options.method = least_squares;
   options.sigma = -1.0;
   options.against = AGAINST_FIRST;
   options.tolerance = 0.05;

@@ -8,22 +8,14 @@ through the disc, and dotted where it lies in it.
 """
 
 import argparse
-import base64
 import csv
-import io
-import os
-import re
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from figures import save
 from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
-from PIL import Image
 
-matplotlib.rcParams.update({"svg.hashsalt": "chasles", "svg.fonttype": "none", "font.size": 8, "axes.titlesize": 9})
 LEVELS = {"alpha": np.geomspace(0.01, 0.16, 17), "beta": np.geomspace(0.01, 0.16, 17)}
 TICKS = [0.01, 0.02, 0.04, 0.08, 0.16]
 PANELS = 4  # in a row
@@ -139,33 +131,6 @@ def draw_curves(curves):
     return figure
 
 
-def with_palette(png):
-    """The bytes of a PNG with 64 colours."""
-    result = io.BytesIO()
-    image = Image.open(io.BytesIO(png)).convert("RGBA")
-    image.quantize(64, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(result, "png", optimize=True)
-    return result.getvalue()
-
-
-def with_palettes(svg):
-    """The text of an SVG, its images with 64 colours."""
-    begin = "data:image/png;base64,"
-    shrink = lambda found: begin + base64.b64encode(with_palette(base64.b64decode(found.group(1)))).decode()
-    return re.sub(begin + r"([^\"]+)", shrink, svg)
-
-
-def save(figure, out, name):
-    dateless = {".svg": {"Date": None}, ".png": {"Software": None}}
-    for suffix, memory, shrink in ((".svg", io.StringIO, with_palettes), (".png", io.BytesIO, with_palette)):
-        file = memory()
-        figure.savefig(file, format=suffix[1:], dpi=110, metadata=dateless[suffix])
-        data = shrink(file.getvalue())
-        path = os.path.join(out, name + suffix)
-        with open(path, "w" if suffix == ".svg" else "wb") as written:
-            written.write(data)
-        print("%s: %d kB" % (path, len(data) // 1000))
-
-
 def main():
     parser = argparse.ArgumentParser(description="Draw what chasles agile-eye has written.")
     parser.add_argument("errors", help="CSV of --out")
@@ -173,7 +138,6 @@ def main():
     parser.add_argument("--out", default=".", metavar="DIR", help="directory of the figures")
     arguments = parser.parse_args()
     curves = read(arguments.curves)
-    os.makedirs(arguments.out, exist_ok=True)
     save(draw_errors(read(arguments.errors), curves), arguments.out, "agile_eye_errors")
     save(draw_curves(curves), arguments.out, "agile_eye_singularities")
 

@@ -5,11 +5,11 @@
 """
 
 import argparse
-import os
 
 import matplotlib.pyplot as plt
 import numpy as np
-from agile_eye import read, save
+from agile_eye import read
+from figures import save
 
 TITLES = {"alpha_deg": r"max $\alpha$ [°]", "beta_deg": r"max $\beta$ [°]"}
 
@@ -38,7 +38,6 @@ def main():
     parser.add_argument("errors", help="CSV of --out")
     parser.add_argument("--out", default=".", metavar="DIR", help="directory of the figure")
     arguments = parser.parse_args()
-    os.makedirs(arguments.out, exist_ok=True)
     save(draw(read(arguments.errors)), arguments.out, "arm_errors")
 
 

@@ -12,11 +12,10 @@ below --least-angle no axis is drawn. Gaps stay gaps.
 
 import argparse
 import csv
-import os
 
 import matplotlib.pyplot as plt
 import numpy as np
-from agile_eye import save
+from figures import save
 
 HALF_LENGTH = 1.3  # of an axis as drawn, over the largest distance from the pivot
 
@@ -124,7 +123,6 @@ def main():
     parser.add_argument("--title", default="Finite helical axis", metavar="TEXT")
     parser.add_argument("--out", default=".", metavar="DIR", help="directory of the figure")
     arguments = parser.parse_args()
-    os.makedirs(arguments.out, exist_ok=True)
     figure = draw(*read(arguments.screws), np.radians(arguments.least_angle), arguments.title)
     save(figure, arguments.out, "helical_axis")
 
