@@ -15,13 +15,16 @@ struct inputs {
   long cases;
 };
 
-/* The inputs of a file's cases, of that band or, NULL, of all. */
+/* The inputs of a file's cases, of that band or, NULL, of all; none where there is no such file. */
 static void read_inputs(const char *name, const char *band, struct inputs *inputs) {
   struct vectors vectors;
   struct vector_case record;
   inputs->values = NULL;
   inputs->singles = NULL;
   inputs->cases = 0;
+  FILE *file = fopen(name, "r");
+  if (file == NULL) return;
+  fclose(file);
   if (!vectors_open(&vectors, name)) exit(2);
   const size_t size = (size_t)vectors.function->inputs;
   for (;;) {

@@ -25,6 +25,7 @@
 #include "scenes.hpp"
 
 void describe_chasles_scenes(library &library);
+void describe_chasles_arrays(library &library);
 
 namespace {
 
@@ -304,7 +305,8 @@ int main(int argc, char **argv) {
     return 2;
   }
   const int rounds = std::atoi(argv[3]);
-  std::vector<library> libraries = {chasles()};
+  std::vector<library> libraries = {chasles(), {}};
+  describe_chasles_arrays(libraries.back());
   std::vector<std::string> only;
   for (int i = 5; i < argc; ++i) {
     if (std::strncmp(argv[i], "--only=", 7) == 0)

@@ -16,6 +16,7 @@ WITHIN_PI = ["tiny", "small", "ordinary", "near_pi"]
 JUDGED = WITHIN_PI[1:]  # below 1e-150 squares underflow, which few have thought of: nobody is held to that
 EPS = {"double": 2.0**-52, "float": 2.0**-23}
 OWN = "chasles"
+OWN_ARRAY = "chasles array"  # one call for all cases
 FLAVOURS = {"O2": "-O2", "O3_native": "-O3 -march=native"}
 
 
@@ -64,7 +65,7 @@ class Results:
     def fastest(self, flavour, function, precision, accurate):
         """(ratio of its time to ours, its name) of the fastest peer, or None."""
         found = [(self.time(flavour, function, precision, name)["ratio"], name)
-                 for name in self.peers(function, precision)
+                 for name in self.peers(function, precision) if name != OWN_ARRAY
                  if not accurate or self.is_accurate(function, precision, name)]
         return min(found) if found else None
 
@@ -244,11 +245,11 @@ def draw(results, directory):
     most = 1 / EPS["double"]  # not a digit is right
     least = 0.3
     styles = {name: (f"C{i}", MARKERS[i % len(MARKERS)])
-              for i, name in enumerate(name for name in results.libraries if name != OWN)}
+              for i, name in enumerate(name for name in results.libraries if name not in (OWN, OWN_ARRAY))}
     figure, axes = pyplot.subplots(2, 2, figsize=(9, 6), sharex=True, sharey=True, layout="constrained")
     handles = {}
     for panel, function in zip(axes.flat, PANELS):
-        for library in results.peers(function, "double") + [OWN]:
+        for library in [name for name in results.peers(function, "double") if name != OWN_ARRAY] + [OWN]:
             time = results.time("O2", function, "double", library)["ns"]
             error = min(max(results.worst(function, "double", library, JUDGED), least), most)
             colour, marker = styles.get(library, ("black", "o"))

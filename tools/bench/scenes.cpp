@@ -3,6 +3,7 @@
 
 #include <chasles/chasles.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "library.hpp"
@@ -153,7 +154,58 @@ template <class Real> void describe_precision(library &library) {
   });
 }
 
+/* An array form: one call for all cases, which lie as in functions.def. */
+template <class Real> class array_task final : public task {
+public:
+  using call = void (*)(std::size_t cases, const Real *in, Real *out);
+  array_task(call call, int inputs, int outputs) : call_(call), inputs_(inputs), outputs_(outputs) {}
+  void load(const double *in, int stride, int cases) override {
+    cases_ = static_cast<std::size_t>(cases);
+    in_.clear();
+    for (int i = 0; i < cases; ++i) in_.insert(in_.end(), in + i * stride, in + i * stride + inputs_);
+    out_.resize(cases_ * static_cast<std::size_t>(outputs_));
+  }
+  void run() override { call_(cases_, in_.data(), out_.data()); }
+  void store(double *out, int) const override { std::copy(out_.begin(), out_.end(), out); }
+
+private:
+  call call_;
+  int inputs_;
+  int outputs_;
+  std::size_t cases_ = 0;
+  std::vector<Real> in_;
+  std::vector<Real> out_;
+};
+
+template <class Real>
+void add_array(library &library, const char *name, int inputs, int outputs, typename array_task<Real>::call call) {
+  library.entries.push_back({name, sizeof(Real) == sizeof(float), 0, outputs,
+                             [=] { return std::make_unique<array_task<Real> >(call, inputs, outputs); }, ""});
+}
+
 } // namespace
+
+void describe_chasles_arrays(library &library) {
+  library.name = "chasles array";
+  library.version = CHS_VERSION;
+#define ARRAYS(real, f)                                                                                                \
+  add_array<real>(library, "so3_exp", 3, 9,                                                                            \
+                  [](std::size_t n, const real *in, real *out) { chs_so3_exp_array##f(n, in, 3, out, 9, nullptr); });  \
+  add_array<real>(library, "so3_log", 9, 3,                                                                            \
+                  [](std::size_t n, const real *in, real *out) { chs_so3_log_array##f(n, in, 9, out, 3, nullptr); });  \
+  add_array<real>(library, "se3_exp", 6, 16,                                                                           \
+                  [](std::size_t n, const real *in, real *out) { chs_se3_exp_array##f(n, in, 6, out, 16, nullptr); }); \
+  add_array<real>(library, "se3_log", 16, 6,                                                                           \
+                  [](std::size_t n, const real *in, real *out) { chs_se3_log_array##f(n, in, 16, out, 6, nullptr); }); \
+  add_array<real>(library, "se3_compose", 32, 16, [](std::size_t n, const real *in, real *out) {                       \
+    chs_se3_compose_array##f(n, in, 32, in + 16, 32, out, 16);                                                         \
+  });                                                                                                                  \
+  add_array<real>(library, "se3_apply", 19, 3, [](std::size_t n, const real *in, real *out) {                          \
+    chs_se3_apply_array##f(n, in, 19, in + 16, 19, out, 3);                                                            \
+  });
+  ARRAYS(double, )
+  ARRAYS(float, f)
+}
 
 void describe_chasles_scenes(library &library) {
   describe_precision<double>(library);
