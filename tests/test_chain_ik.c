@@ -203,7 +203,7 @@ static void test_no_step_does_harm_and_steps_make_a_search(void) {
     random_values(c->joints, PI, step_q);
     ASSERT_STATUS(CHS_OK, FN(chs_chain_fk)(c, q, T));
     int status = FN(chs_chain_ik)(c, T, step_q, &all, scratch, found, NULL);
-    double before = INFINITY;
+    double before = (double)INFINITY;
     int last = CHS_ITERATION_LIMIT;
     for (int i = 0; i < all.steps && last == CHS_ITERATION_LIMIT; i++) {
       last = FN(chs_chain_ik_step)(c, T, step_q, &one, scratch, step_q, residual);
