@@ -6,7 +6,7 @@
 #include "pose.h"
 #include "rotation.h"
 
-enum { LANES = 8 };
+enum { LANES = 16 };
 
 /* The answer to several elements: the first error, else the first positive status. */
 typedef struct answers {
@@ -29,7 +29,7 @@ static void gather(const real *from, size_t stride, int count, int size, real in
 int FN(chs_so3_exp_array)(size_t n, const real *w, size_t w_stride, real *R, size_t R_stride, int *statuses) {
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
-    real in[3][LANES], out[9][LANES], tt[LANES];
+    real in[3][LANES], out[9][LANES], *tt = in[0]; /* that of a lane once its input is used */
     int count = lanes_left(n, i);
     gather(w + i * w_stride, w_stride, count, 3, in);
     for (int lane = 0; lane < LANES; lane++) {
@@ -62,7 +62,7 @@ int FN(chs_so3_exp_array)(size_t n, const real *w, size_t w_stride, real *R, siz
 int FN(chs_se3_exp_array)(size_t n, const real *V, size_t V_stride, real *T, size_t T_stride, int *statuses) {
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
-    real in[6][LANES], out[12][LANES], tt[LANES];
+    real in[6][LANES], out[12][LANES], *tt = in[0];
     int count = lanes_left(n, i);
     gather(V + i * V_stride, V_stride, count, 6, in);
     for (int lane = 0; lane < LANES; lane++) {

@@ -51,12 +51,12 @@ static int statuses[N], wanted[N];
     fill(out, MOST_STRIDE *N);                                                                                 \
     fill(expected, MOST_STRIDE *N);                                                                            \
     for (int i = 0; i < N; i++) wanted[i] = FN(chs_##name)(in + i * (in_stride), expected + i * (out_stride)); \
-    int worst = FN(chs_##name##_array)(N, in, (in_stride), out, (out_stride), statuses);                       \
+    int worst = FN(chs_##name##_array)(N, in, (size_t)(in_stride), out, (size_t)(out_stride), statuses);       \
     ASSERT_SAME_BITS(expected, out, MOST_STRIDE *N);                                                           \
     for (int i = 0; i < N; i++) ASSERT_STATUS(wanted[i], statuses[i]);                                         \
     ASSERT_STATUS(worst_of(wanted), worst);                                                                    \
     fill(out, MOST_STRIDE *N);                                                                                 \
-    ASSERT_STATUS(worst, FN(chs_##name##_array)(N, in, (in_stride), out, (out_stride), NULL));                 \
+    ASSERT_STATUS(worst, FN(chs_##name##_array)(N, in, (size_t)(in_stride), out, (size_t)(out_stride), NULL)); \
     ASSERT_SAME_BITS(expected, out, MOST_STRIDE *N);                                                           \
   } while (0)
 
