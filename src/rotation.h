@@ -62,8 +62,7 @@ static inline void settle_half_turn(quaternion *q, real zone, real length) {
 }
 
 /* The quaternion of a matrix near a rotation: the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
- * 1978), selected without a branch, which no processor could foresee. It agrees with that of the nearest rotation to a
- * fraction of the matrix's own rounding errors. */
+ * 1978). It agrees with that of the nearest rotation to a fraction of the matrix's own rounding errors. */
 static inline quaternion quaternion_of(const real R[9]) {
   real dx = K(1.0) - R[0], dy = K(1.0) - R[4], dz = K(1.0) - R[8], d = dx + dy + dz;
   real ww = K(4.0) - d, xx = (dy + dz) - dx, yy = (dx + dz) - dy, zz = (dx + dy) - dz;
