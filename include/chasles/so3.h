@@ -116,10 +116,11 @@ void chs_so3_applyf(const float R[9], const float x[3], float y[3]);
  *
  *   angle = atan2(|s|, trace(A^T B) - 1),  s = sum over the columns a_k x b_k
  *
- * The error is relative to the angle, down to the smallest: s is formed from the differences b_k - a_k, which are exact
- * for near orientations. (An arccos of the trace has no digit left below 1e-8 rad in double.)
+ * The error is relative to |B - A|, Frobenius, which is 2 sqrt(2) sin(angle/2) for rotations, down to the smallest: s is
+ * formed from the differences b_k - a_k, which are exact for near orientations. (An arccos of the trace has no digit
+ * left below 1e-8 rad in double.) Where drift sets the matrices apart by more than the angle does, it is the drift.
  * Returns CHS_OK and what CHS_SO3_FAR says, of either matrix. */
-#define CHS_EPS_SO3_ANGLE 6.0
+#define CHS_EPS_SO3_ANGLE 4.0
 int chs_so3_angle(const double A[9], const double B[9], double *angle);
 int chs_so3_anglef(const float A[9], const float B[9], float *angle);
 

@@ -23,8 +23,9 @@ extern "C" {
  *   nominal, actual  rotations to within CHS_SO3_FAR, in the same base frame.
  *   alpha, beta      in [0, pi]. At alpha = pi beta has no meaning and is 0.
  *
- * The errors: alpha relative to itself; beta relative to sqrt(alpha^2 + beta^2), and to 1/(1 + cos(alpha)) above pi/2,
- * where it is ever worse defined. Both at 1e-12 rad are as exact as any.
+ * The errors: alpha relative to |d1 - d0|, which is 2 sin(alpha/2) for rotations; beta relative to |actual - nominal|,
+ * Frobenius, times 1/(1 + cos(alpha)) above pi/2, where it is ever worse defined. Both at 1e-12 rad are as exact as
+ * any.
  * Returns CHS_OK; CHS_TORSION_UNDEFINED where 1 + cos(alpha) is no more than rounding, so that beta is set to 0; and
  * what CHS_SO3_FAR says, of either matrix. */
 #define CHS_EPS_TILT_ERROR_ALPHA 4.0

@@ -13,6 +13,13 @@ static inline double length_of(const real *v, int n) {
   return most * sqrt(sum);
 }
 
+/* |a - b|, n at most 16. */
+static inline double distance_of(const real *a, const real *b, int n) {
+  real difference[16];
+  for (int i = 0; i < n; i++) difference[i] = a[i] - b[i];
+  return length_of(difference, n);
+}
+
 static inline double dot_of(const real *a, const real *b, int n) {
   double sum = 0;
   for (int i = 0; i < n; i++) sum += (double)a[i] * (double)b[i];

@@ -203,8 +203,7 @@ def log_bands(fmt, rng):
 
 def evaluate_angle(fmt, x):
     A, B = x[0:9], x[9:18]
-    angle = exact.angle_between(A, B)
-    return Result([angle], [angle])
+    return Result([exact.angle_between(A, B)], [exact.norm([b - a for a, b in zip(A, B)])])
 
 
 def angle_bands(fmt, rng):

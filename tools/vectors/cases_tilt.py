@@ -1,6 +1,6 @@
 """tilt.h: tilt and torsion, and the rotational error of an axisymmetric tool."""
 
-from mpmath import atan2, cos, hypot, mpf, nint, pi
+from mpmath import atan2, cos, mpf, nint, pi
 
 import cases_so3
 import exact
@@ -21,7 +21,9 @@ def evaluate_error(fmt, x):
         raise Unclear  # the torsion may or may not be resolved
     # The torsion of a tool that points backwards is badly conditioned: its sine and cosine are of size 1 + cos(alpha).
     growth = max(mpf(1), 1 / (1 + cos(alpha)))
-    return Result([alpha, beta], [alpha, hypot(alpha, beta) * growth])
+    moved = exact.norm([d - c for c, d in zip(d0, d1)])
+    turned = exact.norm([a - n for n, a in zip(nominal, actual)])
+    return Result([alpha, beta], [moved, turned * growth])
 
 
 def tool_axis(rng, k):
