@@ -118,8 +118,8 @@ static int is_ordinary(const chain *c, const real *q) {
   return c->joints >= 1 && sum <= most;
 }
 
-/* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`, displacements
- * from the fixed frame? Gives the tool's place. */
+/* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`,
+ * displacements from the fixed frame? Gives the tool's place. */
 static int rehearse(const chain *c, const real *q, const place *frame, place *t) {
   int good = c->joints >= 1;
   start(c, t);

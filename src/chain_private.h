@@ -99,8 +99,8 @@ static inline int advance(place *t, const real S[6], real q) {
 /* Why a chain and joint values gave no result. */
 int FN(chs_p_why_no_walk)(const chain *c, const real *q);
 
-/* The walk to the tool, and the columns of the Jacobian in the fixed frame; J may be NULL. False where something is out of
- * range or no number, which only t may tell: then J and t are of no use. */
+/* The walk to the tool, and the columns of the Jacobian in the fixed frame; J may be NULL. False where something is out
+ * of range or no number, which only t may tell: then J and t are of no use. */
 int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t);
 
 /* Column i of J, which is 6 x n. */

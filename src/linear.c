@@ -74,8 +74,8 @@ static void rotate_pair(real *x, real *y, int n, real s, real c) {
   }
 }
 
-/* One rotation of Jacobi's that brings x and y to a right angle, done to g and h as well. False where they are at one to
- * within rounding, or one of them is no more than rounding. */
+/* One rotation of Jacobi's that brings x and y to a right angle, done to g and h as well. False where they are at one
+ * to within rounding, or one of them is no more than rounding. */
 static int straighten(real *x, real *y, int m, real *g, real *h, int k) {
   real a = dot_n(x, x, m), b = dot_n(y, y, m), ab = dot_n(x, y, m), noise = EPS * EPS;
   if (a <= noise || b <= noise || ab * ab <= (K(4.0) * noise) * (a * b)) return 0;

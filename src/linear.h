@@ -25,10 +25,10 @@ static inline void augment(const real J[36], const real V[6], real factor, real 
   }
 }
 
-/* The singular values of J / size, of which no entry is larger than 1, J being 6 x n with its last three rows divided by
- * some length. X holds k = min(6, n) vectors of length m = max(6, n), at right angles and as long as the singular values:
- * X = G J, or X = G J^T where n <= 6, and G the rotations that made them so: its rows are then the directions in
- * which the joints move together. */
+/* The singular values of J / size, of which no entry is larger than 1, J being 6 x n with its last three rows divided
+ * by some length. X holds k = min(6, n) vectors of length m = max(6, n), at right angles and as long as the singular
+ * values: X = G J, or X = G J^T where n <= 6, and G the rotations that made them so: its rows are then the directions
+ * in which the joints move together. */
 typedef struct spectrum {
   int n, k, m;
   real size;

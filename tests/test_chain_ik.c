@@ -134,8 +134,8 @@ static void test_the_body_form_finds_the_same(void) {
   for (int i = 0; i < 6; i++) TEST_ASSERT_DOUBLE_WITHIN(100 * (double)tolerance, (double)q[i], (double)found[i]);
 }
 
-/* The examples in the comments of the book's own software, IKinSpace and IKinBody: the digits printed there are those of
- * its tolerances, the exact solution is (pi/2, 3, pi). */
+/* The examples in the comments of the book's own software, IKinSpace and IKinBody: the digits printed there are those
+ * of its tolerances, the exact solution is (pi/2, 3, pi). */
 static void test_modern_robotics_inverse_kinematics(void) {
   const real S[18] = {0, 0, 1, 4, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, -1, -6, 0, K(-0.1)};
   const real B[18] = {0, 0, -1, 2, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, K(0.1)};

@@ -1,5 +1,6 @@
-/* The robots of tools/robots, and inverse kinematics on each of them: poses that it has at random joint values within its
- * limits, from starts within 0.2 rad (or 0.2 of a metre) and from random ones. CHASLES_IK_TARGETS is how many of each. */
+/* The robots of tools/robots, and inverse kinematics on each of them: poses that it has at random joint values within
+ * its limits, from starts within 0.2 rad (or 0.2 of a metre) and from random ones. CHASLES_IK_TARGETS tells
+ * how many of each. */
 #include "../tools/chasles/robot.h"
 #include "support/suite.h"
 

@@ -538,7 +538,7 @@ static void test_the_reciprocal_product_does_not_depend_on_the_frame(void) {
 }
 
 static void test_moving_along_a_screw_of_either_frame(void) {
-  /* The body frame lies at (1, 2, 0), its x axis along y; a quarter turn about its own z axis, and about the space's. */
+  /* The body frame lies at (1, 2, 0), its x axis along y; a quarter turn about its own z axis, and the space's. */
   const real T[16] = {0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 0, 0, 0, 0, 1}, z[6] = {0, 0, 1, 0, 0, 0};
   const real body[16] = {-1, 0, 0, 1, 0, -1, 0, 2, 0, 0, 1, 0, 0, 0, 0, 1},
              space[16] = {-1, 0, 0, -2, 0, -1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -570,7 +570,7 @@ static void test_moving_by_an_angle_beyond_the_range_is_refused(void) {
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, T, FN(chs_screw_move_space)(identity4, up, REAL_MAX, T));
 }
 
-/* The worked examples of the lecture on screws, with digits that it rounds (the pitch of the first is printed 0.8275). */
+/* The worked examples of the lecture on screws, with digits that it rounds (the first's pitch is printed 0.8275). */
 static void test_worked_example_screw_axis_of_a_pose(void) {
   const real T[16] = {0, -1, 0, 3, 0, 0, -1, 0, 1, 0, 0, 0, 0, 0, 0, 1};
   const double S_expected[6] = {0.577350269, -0.577350269, 0.577350269, 1.0548150985, -1.0548150985, -0.6772357091};

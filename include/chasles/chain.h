@@ -1,4 +1,4 @@
-/* chasles/chain.h - serial chains as products of exponentials: forward and inverse kinematics, Jacobians, statics, rates.
+/* chasles/chain.h - serial chains as products of exponentials: kinematics forward and inverse, Jacobians, statics.
  *
  * The methods are those of Brockett 1984 and of Lynch & Park, Modern Robotics (2017), chapters 4 to 6. A joint is its
  * screw axis S = (omega; v), three numbers each, at q = 0:
@@ -96,8 +96,8 @@ int chs_chain_space_jacobianf(const chs_chainf *chain, const float *q, float *J,
 int chs_chain_body_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);
 int chs_chain_body_jacobianf(const chs_chainf *chain, const float *q, float *J, float T[16]);
 
-/* tau = J^T F, the torques (forces, of prismatic joints) that hold the wrench F = (moment; force) which the tool exerts,
- * and V = J qdot. J, F and V are of one frame, fixed or the tool's.
+/* tau = J^T F, the torques (forces, of prismatic joints) that hold the wrench F = (moment; force) which the tool
+ * exerts, and V = J qdot. J, F and V are of one frame, fixed or the tool's.
  *
  * The error of each torque is relative to |J| |F|, that of the twist to n |J| |qdot|. */
 #define CHS_EPS_CHAIN_TORQUES 4.0
@@ -130,8 +130,8 @@ int chs_chain_rank(int joints, const double *J, double length, double *scratch, 
 int chs_chain_rankf(int joints, const float *J, float length, float *scratch, int *rank);
 
 /* Yoshikawa's manipulability, sqrt(det(J J^T)), the product of the six singular values; where n < 6, sqrt(det(J^T J)),
- * that of the n. The error is relative to that product with its smallest factor replaced by the largest, and none of the
- * others counted for less than 16 eps sigma[0]. Arguments and answers as above. */
+ * that of the n. The error is relative to that product with its smallest factor replaced by the largest, and none of
+ * the others counted for less than 16 eps sigma[0]. Arguments and answers as above. */
 #define CHS_EPS_CHAIN_MANIPULABILITY 24.0
 int chs_chain_manipulability(int joints, const double *J, double length, double *scratch, double *manipulability);
 int chs_chain_manipulabilityf(int joints, const float *J, float length, float *scratch, float *manipulability);
@@ -195,10 +195,10 @@ int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float 
  *
  * The error of a pose is the rotation left, log(R_T R^T) by the exact logarithm, and the way left, p_T - p. Each step
  * solves J dq = error, J for the tool's own point: by elimination or the pseudoinverse (Newton-Raphson), or by damped
- * least squares with lambda = damping |error| (Chan & Lawrence 1988), the columns of J scaled to one length. A step that
- * does not bring the tool nearer, or would turn a joint by more than pi/2, is damped and tried again; where nothing helps
- * and a direction of J is lost, a motion of second order is tried along it. So no step does harm. In |error| the two
- * tolerances weigh the same: lengths are divided by length / angle. */
+ * least squares with lambda = damping |error| (Chan & Lawrence 1988), the columns of J scaled to one length. A step
+ * that does not bring the tool nearer, or would turn a joint by more than pi/2, is damped and tried again; where
+ * nothing helps and a direction of J is lost, a motion of second order is tried along it. So no step does harm. In
+ * |error| the two tolerances weigh the same: lengths are divided by length / angle. */
 typedef enum chs_ik_method { CHS_IK_NEWTON = 0, CHS_IK_DAMPED = 1 } chs_ik_method;
 
 typedef struct chs_ik {
@@ -222,8 +222,8 @@ typedef struct chs_ikf {
 /* How many numbers of scratch memory both functions need for n joints. What it holds does not matter. */
 #define CHS_CHAIN_IK_SCRATCH(n) (24 * ((n) > 6 ? (n) : 6))
 
-/* A search of up to `steps` steps from `start`, and up to `restarts` more from joint values around it, at first near and
- * then ever farther away, the same ones at every call (chs_chain_ik); or one step (chs_chain_ik_step), so that a
+/* A search of up to `steps` steps from `start`, and up to `restarts` more from joint values around it, at first near
+ * and then ever farther away, the same ones at every call (chs_chain_ik); or one step (chs_chain_ik_step), so that a
  * controller can spread a search over its cycles. A step costs at most 14 walks along the chain and one singular value
  * decomposition, and in the ordinary case two walks and one elimination.
  *
@@ -231,16 +231,16 @@ typedef struct chs_ikf {
  *   start     [n] joint values to start from, brought within the limits first. They decide which of the solutions is
  *             found; one found after a restart may be any.
  *   scratch   [CHS_CHAIN_IK_SCRATCH(n)]
- *   q         [n] the joint values found, or else the best so far: within the limits, where a revolute joint whose range
- *             has room for it has turned by 2 pi more or less.
+ *   q         [n] the joint values found, or else the best so far: within the limits, where a revolute joint whose
+ *             range has room for it has turned by 2 pi more or less.
  *   residual  {angle, length}, what is left at q; may be NULL.
  *
- * CHS_OK means that the residual, from q as chs_chain_fk and chs_so3_log have it, is within both tolerances: a solution is
- * as true as these two. Tolerances finer than their errors cannot be met.
- * Returns CHS_OK; CHS_ITERATION_LIMIT where more steps are needed or a tolerance cannot be met; CHS_AT_JOINT_LIMIT where
- * joints that are held at their limits keep the tool from getting nearer; CHS_NEAR_SINGULAR where no joint moves it
- * nearer, as beyond the reach of an outstretched arm; CHS_ERR_ARGUMENT where n < 1, an option is outside its range or a
- * lower limit above its upper one; CHS_ERR_NAN and CHS_ERR_INFINITE; and as chs_chain_fk, and what CHS_SO3_FAR says. */
+ * CHS_OK means that the residual, from q as chs_chain_fk and chs_so3_log have it, is within both tolerances: a solution
+ * is as true as these two. Tolerances finer than their errors cannot be met.
+ * Returns CHS_OK; CHS_ITERATION_LIMIT where more steps are needed or a tolerance cannot be met; CHS_AT_JOINT_LIMIT
+ * where joints that are held at their limits keep the tool from getting nearer; CHS_NEAR_SINGULAR where no joint moves
+ * it nearer, as beyond the reach of an outstretched arm; CHS_ERR_ARGUMENT where n < 1, an option is outside its range
+ * or a lower limit above its upper one; CHS_ERR_NAN and CHS_ERR_INFINITE; as chs_chain_fk; what CHS_SO3_FAR says. */
 int chs_chain_ik(const chs_chain *chain, const double T[16], const double *start, const chs_ik *options,
                  double *scratch, double *q, double residual[2]);
 int chs_chain_ikf(const chs_chainf *chain, const float T[16], const float *start, const chs_ikf *options,

@@ -1,13 +1,13 @@
 /* chasles/line.h - lines in space: Pluecker coordinates, angles, distances, common perpendiculars.
  *
  * A line L is double[6] or float[6], (direction; moment): d and m = r x d for any point r of the line, so that the line
- * has a sense, and so that L is the twist of a turn about it at one radian a unit of time. Unit coordinates have |d| = 1;
- * raw ones, of any length of d, are the same line, and chs_line_normalize makes them unit. The functions below that
- * answer a status take lines whose direction is of unit length, | d.d - 1 | <= CHS_SO3_FAR, divide by that length, and
- * leave out what the moment has along the direction: what they answer is exact for the line so read. In their comments
- * d, m are what was read, s = |d1 x d2| is the sine of the angle of two lines, and M = |m1| + |m2|, their distances from
- * the origin. The numbers
- * of equations are those of the lecture notes "Homogeneous coordinates, lines, screws and twists".
+ * has a sense, and so that L is the twist of a turn about it at one radian a unit of time. Unit coordinates have
+ * |d| = 1; raw ones, of any length of d, are the same line, and chs_line_normalize makes them unit. The functions below
+ * that answer a status take lines whose direction is of unit length, | d.d - 1 | <= CHS_SO3_FAR, divide by that length,
+ * and leave out what the moment has along the direction: what they answer is exact for the line so read. In their
+ * comments d, m are what was read, s = |d1 x d2| is the sine of the angle of two lines, and M = |m1| + |m2|, their
+ * distances from the origin. The numbers of equations are those of the lecture notes "Homogeneous coordinates, lines,
+ * screws and twists".
  * chasles.h has the conventions that all headers share.
  */
 #ifndef CHASLES_LINE_H
@@ -67,9 +67,9 @@ int chs_line_project(const double L[6], const double x[3], double foot[3], doubl
 int chs_line_projectf(const float L[6], const float x[3], float foot[3], float *distance);
 
 /* The angle of two lines, atan2(|d1 x d2|, d1.d2) in [0, pi], in place of eq. 6 (an arccos has no digit left below 1e-8
- * rad). The signed one, in [-pi, pi], has the sign of about . (d1 x d2): it is measured from the first line to the second
- * about the vector given, by the right-hand rule. A vector of 0, or one at a right angle to both lines' normal, counts
- * as positive. The errors are relative to the angle, down to the smallest.
+ * rad). The signed one, in [-pi, pi], has the sign of about . (d1 x d2): it is measured from the first line to the
+ * second about the vector given, by the right-hand rule. A vector of 0, or one at a right angle to both lines' normal,
+ * counts as positive. The errors are relative to the angle, down to the smallest.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ARGUMENT. */
 #define CHS_EPS_LINE_ANGLE 4.0
 #define CHS_EPS_LINE_SIGNED_ANGLE 4.0
@@ -96,8 +96,8 @@ int chs_line_distancef(const float A[6], const float B[6], float *distance);
  *   distance        from A to B along X, as chs_line_distance gives it.
  *
  * Lines that meet have no A-to-B: X is along d1 x d2 and the angle is positive (CHS_INTERSECTING). For parallel lines X
- * goes through the point of A nearest to the origin, and the angle is not negative (CHS_PARALLEL). Where they coincide X
- * is as near as may be to the coordinate axis of the smallest component of A's direction, the first of equals
+ * goes through the point of A nearest to the origin, and the angle is not negative (CHS_PARALLEL). Where they coincide
+ * X is as near as may be to the coordinate axis of the smallest component of A's direction, the first of equals
  * (CHS_COINCIDENT).
  *
  * The errors: the direction of X absolute, for parallel lines at a distance a relative to M/a; its moment and the feet
@@ -119,9 +119,9 @@ int chs_line_perpendicularf(const float A[6], const float B[6], float X[6], floa
  *   standard (distal)             A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i),  axis i is z of frame i-1
  *   modified (proximal, Craig)    A_i = Rx(alpha_i) Tx(a_i) Rz(theta_i) Tz(d_i),  axis i is z of frame i
  *
- * where a and alpha of the modified row i are those that Craig writes with the index i-1. So home = base A_1 ... A_n tool
- * with two poses that a table of 4 n numbers leaves out. A revolute joint's value adds to theta, a prismatic one's to d.
- * As screws the axes are those of the product of exponentials: (d; m) of a revolute joint, (0; d) of a prismatic one. */
+ * where a and alpha of the modified row i are those that Craig writes with the index i-1. So home = base A_1 ... A_n
+ * tool with two poses that a table of 4 n numbers leaves out. A revolute joint's value adds to theta, a prismatic one's
+ * to d. As screws of chain.h the axes are (d; m) of a revolute joint and (0; d) of a prismatic one. */
 typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
 
 /* The axes, and the pose of the tool, where all joint values are zero.
@@ -133,9 +133,9 @@ typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
  *   axes        [6*n], unit lines; must not overlap dh.
  *   home        the pose of the tool; may be NULL.
  *
- * With the reach r = |p_base| + sum of |a| + |d| + |p_tool|, and for base and tool that are rotations to within rounding,
- * errors are n times what is promised here: of directions and of the rotation absolutely, of moments and of the position
- * relative to r.
+ * With the reach r = |p_base| + sum of |a| + |d| + |p_tool|, and for base and tool that are rotations to within
+ * rounding, errors are n times what is promised here: of directions and of the rotation absolutely, of moments and of
+ * the position relative to r.
  * Returns CHS_OK; CHS_ERR_ARGUMENT; CHS_ERR_ANGLE_RANGE; CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for all numbers. */
 #define CHS_EPS_LINE_FROM_DH_DIRECTION 3.0
 #define CHS_EPS_LINE_FROM_DH_MOMENT 4.0
@@ -147,31 +147,31 @@ int chs_line_from_dhf(int n, int convention, const float base[16], const float *
                       float home[16]);
 
 /* The parameters of a chain, the inverse of the above. Each x axis lies along the common perpendicular of two axes, and
- * of its two senses has the one that turns less from the x axis before, so that |theta| <= pi/2 and the links that lie in
- * line at home have theta = 0; a may then be negative. Where it turns by a right angle either way, x goes from the one
- * axis to the next, or along their cross product where they meet.
+ * of its two senses has the one that turns less from the x axis before, so that |theta| <= pi/2 and the links that lie
+ * in line at home have theta = 0; a may then be negative. Where it turns by a right angle either way, x goes from the
+ * one axis to the next, or along their cross product where they meet.
  *
- *   standard   Frame 0 is at the point of axis 1 nearest to the origin, its x axis as near as may be to that of the base
- *              or, where axis 1 is within 30 degrees of that, to its y axis. The last row leads to the line of the tool's
- *              z axis: the tool is a turn about z and a travel along it.
- *   modified   The first row leads from the line of the base's z axis: the base is a turn about z and a travel along it.
- *              Frame n is at the point of axis n nearest to the tool, its x axis as near as may be to that of the tool,
- *              or to its y axis likewise.
- *   parallel   axes have d = 0 for the row between them: their perpendicular goes through the frame's origin; next to the
- *              tool's z axis it goes through the tool.
+ *   standard   Frame 0 is at the point of axis 1 nearest to the origin, its x axis as near as may be to that of the
+ *              base or, where axis 1 is within 30 degrees of that, to its y axis. The last row leads to the line of the
+ *              tool's z axis: the tool is a turn about z and a travel along it.
+ *   modified   The first row leads from the line of the base's z axis: the base is a turn about z and a travel along
+ *              it. Frame n is at the point of axis n nearest to the tool, its x axis as near as may be to that of the
+ *              tool, or to its y axis likewise.
+ *   parallel   axes have d = 0 for the row between them: their perpendicular goes through the frame's origin; next to
+ *              the tool's z axis it goes through the tool.
  *   coincident axes have a frame that stays as it was; one that coincides with the tool's z axis has the tool's.
  *
  *   axes       [6*n], lines of unit direction, any point of a prismatic joint's axis.
- *   tolerance  lines count as parallel where their sine is at most this, and as meeting where their distance times their
- *              sine, or the distance of parallel ones, is at most this times their distances from the origin, the largest
- *              of them and |p_home|; alpha is then 0 or pi and a is 0. At least 8 eps, whatever is given.
+ *   tolerance  lines count as parallel where their sine is at most this, and as meeting where their distance times
+ *              their sine, or the distance of parallel ones, is at most this times their distances from the origin, the
+ *              largest of them and |p_home|; alpha is then 0 or pi and a is 0. At least 8 eps, whatever is given.
  *   dh         [4*n]; must not overlap axes.
  *   base, tool may be NULL.
  *
  * What comes out gives the axes and the tool back by chs_line_from_dh. Let r be the largest of |m| and |p_home|, s the
  * smallest sine of neighbours that are not parallel, and k the largest of 1, 1/s and r over the smallest distance of
- * parallel neighbours: errors, n + 1 times what is promised here, are relative to k for angles and rotations and to k r for
- * lengths and positions.
+ * parallel neighbours: errors, n + 1 times what is promised here, are relative to k for angles and rotations and to k r
+ * for lengths and positions.
  * Returns CHS_OK; CHS_PARALLEL or CHS_COINCIDENT, the latter if both, where some neighbours of the axes given are so;
  * CHS_ERR_ARGUMENT, also for a negative tolerance and directions that are not of unit length; CHS_ERR_OVERFLOW; what
  * CHS_SO3_FAR says of home, for all numbers. */

@@ -123,8 +123,8 @@ int chs_screw_axis_line(const double S[6], double L[6]);
 int chs_screw_axis_linef(const float S[6], float L[6]);
 
 /* A twist as a screw axis and the rate along it, V = S rate: rate = |omega| or, where omega = 0, |v|. A rotation so
- * slow that |v|/|omega| is beyond the format's range counts as none. Without motion S is the travel along z and the rate
- * 0. The error of omega in S is absolute, that of v relative to |v|, that of the rate to itself.
+ * slow that |v|/|omega| is beyond the format's range counts as none. Without motion S is the travel along z and the
+ * rate 0. The error of omega in S is absolute, that of v relative to |v|, that of the rate to itself.
  * Returns CHS_OK, CHS_PURE_TRANSLATION, CHS_NO_MOTION, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
 #define CHS_EPS_SCREW_NORMALIZE_ROTATION 2.0
 #define CHS_EPS_SCREW_NORMALIZE_TRANSLATION 3.0

@@ -99,7 +99,7 @@ void chs_se3_adjoint_inverse_wrench(const double T[16], const double F[6], doubl
 void chs_se3_adjoint_inverse_wrenchf(const float T[16], const float F[6], float G[6]);
 
 /* M = [V] = [[omega] v; 0 0], the 4x4 matrix of a twist or a screw axis, and back. hat is exact; vee takes the skew-
- * symmetric part of the upper block as chs_so3_vee does, does not read the last row, and is exact where hat was before. */
+ * symmetric part of the upper block as chs_so3_vee does, not the last row, and is exact where hat was before. */
 #define CHS_EPS_SE3_HAT 0.0
 #define CHS_EPS_SE3_VEE 0.0
 void chs_se3_hat(const double V[6], double M[16]);
@@ -125,7 +125,8 @@ void chs_se3_ad_wrenchf(const float V[6], const float F[6], float G[6]);
  *   body   V_b: [V_b] = T^-1 dT, that is, [omega_b] = R^T dR, v_b = R^T dp
  *   space  V_s: [V_s] = dT T^-1, that is, [omega_s] = dR R^T, v_s = dp - omega_s x p
  *
- * V_s = Ad(T) V_b: chs_se3_adjoint_inverse_twist takes the one to the other. R^T dR counts with its skew-symmetric part.
+ * V_s = Ad(T) V_b: chs_se3_adjoint_inverse_twist takes the one to the other. Of R^T dR the skew-symmetric part
+ * counts.
  *
  * The error of omega is relative to |dR|, that of v_b to |dp|, and that of v_s to |dp| + |dR| |p|.
  * Returns CHS_OK, CHS_ERR_OVERFLOW, and what CHS_SO3_FAR says, for the other entries as well. */
@@ -146,8 +147,8 @@ int chs_se3_space_twistf(const float T[16], const float dT[16], float V[6]);
  *   dt    any time but 0; a negative one turns the twist round.
  *
  * Rotations that are near each other are subtracted before they are multiplied, so that also where the body hardly
- * turned the error of omega dt is relative to |R_B - R_A|, which is 2 sqrt(2) sin(theta/2) for rotations by theta. That of
- * v_b is relative to |v_b|, that of v_s dt to |v_b dt| + |R_B - R_A| |p_A|.
+ * turned the error of omega dt is relative to |R_B - R_A|, which is 2 sqrt(2) sin(theta/2) for rotations by theta. That
+ * of v_b is relative to |v_b|, that of v_s dt to |v_b dt| + |R_B - R_A| |p_A|.
  * Returns CHS_OK; CHS_HALF_TURN as chs_so3_log; CHS_ERR_OVERFLOW; CHS_ERR_ARGUMENT where dt = 0; and what CHS_SO3_FAR
  * says, for the other numbers as well. */
 #define CHS_EPS_SE3_BODY_TWIST_BETWEEN_ROTATION 4.0
@@ -165,8 +166,9 @@ int chs_se3_space_twist_betweenf(const float A[16], const float B[16], float dt,
  *
  *   s  any number: 0 gives A and 1 gives B, exactly, save the sign of a zero; others go on along the same screw.
  *
- * With log(A^-1 B) = (omega; v) and r the smaller of |s| and |s - 1| (|s - 1| for s > 1/2), the error of the rotation is
- * relative to max(1, r |omega|), that of the translation to max(1, r |omega|) (|p| + r |v|), p that of the nearer end.
+ * With log(A^-1 B) = (omega; v) and r the smaller of |s| and |s - 1| (|s - 1| for s > 1/2), the error of the rotation
+ * is relative to max(1, r |omega|), that of the translation to max(1, r |omega|) (|p| + r |v|), p that of the nearer
+ * end.
  * Returns CHS_OK; CHS_HALF_TURN where A and B are a half-turn apart, so that the screw's sense is a convention;
  * CHS_ERR_ANGLE_RANGE where s takes it beyond CHS_ANGLE_MAX(F); CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for the other
  * numbers as well. */
@@ -181,8 +183,8 @@ int chs_se3_interpolatef(const float A[16], const float B[16], float s, float T[
  *
  *   scale  at least 0.
  *
- * The error of the angle is relative to |R_B - R_A|, which is 2 sqrt(2) sin(angle/2) for rotations, that of the length to
- * itself, that of the weighted distance to sqrt((scale |R_B - R_A|)^2 + length^2).
+ * The error of the angle is relative to |R_B - R_A|, which is 2 sqrt(2) sin(angle/2) for rotations, that of the length
+ * to itself, that of the weighted distance to sqrt((scale |R_B - R_A|)^2 + length^2).
  * Returns CHS_OK; CHS_ERR_OVERFLOW; CHS_ERR_ARGUMENT where the scale is negative; what CHS_SO3_FAR says, for the other
  * numbers as well. */
 #define CHS_EPS_SE3_DISTANCE_ANGLE 4.0
@@ -193,8 +195,8 @@ int chs_se3_distancef(const float A[16], const float B[16], float *angle, float 
 int chs_se3_weighted_distance(const double A[16], const double B[16], double scale, double *distance);
 int chs_se3_weighted_distancef(const float A[16], const float B[16], float scale, float *distance);
 
-/* The left and right Jacobians of the exponential of poses, and their inverses, 6x6, row-major. With J, a, b, c, k, d of
- * so3.h, t = theta^2 and each derivative taken by t,
+/* The left and right Jacobians of the exponential of poses, and their inverses, 6x6, row-major. With J, a, b, c, k, d
+ * of so3.h, t = theta^2 and each derivative taken by t,
  *
  *   J_l(V)    = [J 0; Q J],         Q = b [v] + c (v w^T + w v^T) + 2 (w.v) (a' I + b' [w] + c' w w^T)
  *   J_l^-1(V) = [J^-1 0; P J^-1],   P = -[v]/2 + d (v w^T + w v^T) + 2 (w.v) (k' I + d' w w^T)
