@@ -1,5 +1,5 @@
-# Franka Emika Panda, seven joints. Dimensions in Craig's convention and joint ranges as the maker publishes them with
-# the Franka Control Interface; the tool is the flange.
+# Franka Emika Panda, seven joints. Dimensions in Craig's convention and joint ranges as the maker publishes them, in
+# "Robot and interface specifications" of the Franka Control Interface; the tool is the flange.
 robot Panda
 angles radians
 lengths m

@@ -1,5 +1,5 @@
-# A SCARA of the AdeptOne's proportions: links of 425 and 375 mm, 877 mm to the arm's plane, as published for it. The
-# spindle travels downwards; joint ranges and the tool's place are those of a usual machine of this kind.
+# A SCARA of the AdeptOne's proportions: links of 425 and 375 mm, 877 mm to the arm's plane and 200 mm from there to
+# the tool, as published for it. The spindle travels downwards; joint ranges are those of a usual machine of this kind.
 robot SCARA
 angles degrees
 lengths mm

@@ -1,5 +1,5 @@
-# Universal Robots UR5e. Dimensions and joint ranges as the maker publishes them: "DH Parameters for calculations of
-# kinematics and dynamics" and the technical details of the UR5e (+-360 degrees in every joint).
+# Universal Robots UR5e. Dimensions and joint ranges as the maker publishes them: "Parameters for calculations of
+# kinematics and dynamics" (support article 45257) and the technical details of the UR5e (+-360 degrees in every joint).
 robot UR5e
 angles degrees
 lengths m
