@@ -123,6 +123,23 @@ err_is "chasles: joint 2 of arm is helical, which Denavit and Hartenberg's param
 run 0 dh --rows screws nut.robot
 out_has 'helical 0 -1 0 0 0 0.5 0.01'
 
+
+# A file without a name and a unit, and what is rounded to zero.
+cat >bare.robot <<'END'
+angles degrees
+rows screws
+revolute  0 0 1  0 0 0
+home  1 0 0
+END
+run 0 dh bare.robot
+cp out bare.dh
+run 0 fk bare.dh -360
+out_lacks '-0.0'
+run 2 fk bare.robot
+err_is 'chasles: unnamed has 1 joint, and 0 values are given'
+run 0 ik bare.robot 0 1 0 0 0 90
+grep -q '^left: [^ ]* rad, [^ ]*: ok$' out || fail 'a unit is missing or too many'
+
 # What forward kinematics gave, inverse kinematics takes back.
 for robot in 'ur5e 10 -80 70 20 60 5' 'puma560 10 -80 70 20 60 5' 'scara 10 -80 70 20'; do
   set -- $robot
@@ -143,7 +160,7 @@ done
 run 0 ik "$ROBOTS/ur5e.robot" 0.4 -0.2 0.3 0 180 0
 out_has ': ok'
 run 1 ik "$ROBOTS/ur5e.robot" 1.4 -0.2 0.3 0 180 0
-out_has ' m: '
+out_has ' m: no joint moves the tool nearer, as where it is out of reach'
 run 1 ik --exact --restarts 2 "$ROBOTS/scara.robot" 3000 0 100 0 180 0
 run 1 ik --steps 0 --restarts 0 "$ROBOTS/ur5e.robot" 0.4 -0.2 0.3 0 180 0
 out_has 'not converged in the steps allowed'
@@ -161,6 +178,8 @@ run 2 ik --angle 1 "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
 err_is "chasles: --angle expects an angle above 0 with rad or deg behind it, not '1'"
 run 2 ik --length 0 "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
 err_is "chasles: --length expects a number above 0, not '0'"
+run 2 ik "$ROBOTS/ur5e.robot" 1 2 3 0 0 0 --exact
+err_is "chasles: options stand before the file of the robot, and '--exact' behind it"
 run 2 ik --steps many "$ROBOTS/ur5e.robot" 1 2 3 0 0 0
 err_is "chasles: --steps expects a number from 0 to 1000000, not 'many'"
 run 2 ik
@@ -173,6 +192,8 @@ run 2 fk nothing.robot 0
 err_is 'chasles: cannot read nothing.robot: No such file or directory'
 run 2 fk arm.screws 0 0
 err_is 'chasles: arm has 3 joints, and 2 values are given'
+run 2 fk arm.screws 0 0 0 --links
+err_is "chasles: options stand before the file of the robot, and '--links' behind it"
 run 2 fk arm.screws 0 zero 0
 err_is "chasles: expected a number as value of joint 2, not 'zero'"
 run 2 fk --jacobian tool arm.screws 0 0 0
@@ -196,14 +217,18 @@ malformed 's/rows screws/rows dh/' 4 "screws, dh-standard or dh-modified, found 
 malformed 's/0 0 7/0 0/' 5 "a number with a decimal point, found 'limits'"
 malformed 's/0 0 7/0 0 7 8/' 5 "'limits' or the end of the line, found '8'"
 malformed 's/0 0 2/0 0 0/' 5 "the direction of an axis, found '0 0 0'"
-malformed 's/-90 90/90 -90/' 5 'the lower limit first, found nothing'
+malformed 's/-90 90/90 -90/' 5 "the lower limit first, found '90'"
 malformed 's/-90 90/-90/' 5 'a number with a decimal point, found nothing'
 malformed 's/-90 90/-90 90 1/' 5 "nothing more on this line, found '1'"
 malformed 's/0.25 /0.25 0x1/' 8 "a number with a decimal point, found '0x1'"
 malformed 's/0.25 /0.25 1/' 8 "nothing more on this line, found '0.5'"
 malformed 's/0 0 1 0.25/0.25/' 8 '3 or 12 numbers of a pose, found nothing'
 malformed 's/0 0 1 0.25/0 0 -1 0.25/' 8 "a pose, found 'a matrix is a reflection'"
-malformed '$s/home/tool/' 8 "'tool' with rows of Denavit and Hartenberg only, found 'tool'"
+malformed '$s/home/tool/' 8 "'tool' behind 'rows dh-standard' or 'rows dh-modified' only, found 'tool'"
+malformed '3s/.*/base 0 0 1/' 3 "'base' behind 'rows dh-standard' or 'rows dh-modified' only, found 'base'"
+malformed '6s/.*/rows dh-standard/' 6 "no second 'rows', found 'rows'"
+malformed '6s/.*/angles radians/' 6 "no second 'angles', found 'angles'"
+malformed '$p' 9 "no second 'home', found 'home'"
 malformed '$d' 7 "'home', found the end of the file"
 malformed '5,7d' 5 'a joint, found the end of the file'
 malformed 's/rows screws/rows dh-modified/; s/prismatic/helical/' 5 "'limits' or the end of the line, found '0'"

@@ -12,8 +12,8 @@
 const char dh_help[] =
     "usage: chasles dh [options] ROBOT\n"
     "\n"
-    "Prints the robot of a file as a file, with rows of Denavit and Hartenberg's parameters in either convention, or of\n"
-    "screws: each of the three ways from any other. The poses at equal joint values are the same.\n"
+    "Prints the robot of a file as a file, with rows of Denavit and Hartenberg's parameters in either convention, or\n"
+    "of screws: each of the three ways from any other. The poses at equal joint values are the same.\n"
     "\n"
     "options:\n"
     "  --rows KIND        dh-standard, dh-modified or screws (default: dh-standard)\n"

@@ -16,7 +16,7 @@ const char ik_help[] =
     "has the pose of the numbers: twelve, the rows of [R p] as chasles fk prints them; or six, the position x y z and\n"
     "the rotation vector, whose direction is the axis and whose length the angle, in the unit of angles of the file.\n"
     "\n"
-    "options:\n"
+    "options, before ROBOT:\n"
     "  --start Q1,Q2,...  joint values to start from, which decide what solution is found (default: the middle of the\n"
     "                     joints' ranges)\n"
     "  --method NAME      newton or damped (default: newton)\n"
@@ -47,6 +47,7 @@ enum { MOST_STEPS = 1000000 };
 
 static bool read_pose(const struct robot *robot, int count, char **words, double T[16]) {
   double numbers[12];
+  if (!no_options(count, words)) return false;
   if (count != 6 && count != 12) {
     complain("a pose has 6 or 12 numbers, and %d are given; see 'chasles help ik'", count);
     return false;
@@ -90,15 +91,16 @@ static bool read_start(const struct robot *robot, const char *text, double *q) {
 
 static void print_values(const struct robot *robot, const double *q, bool exact) {
   for (int i = 0; i < robot->joints; ++i) {
-    const double x = robot_written(robot, i, q[i]);
     if (i > 0) putchar(' ');
-    if (exact) {
-      print_shortest(stdout, x);
-    } else {
-      printf("%.9f", x);
-    }
+    print_value(robot_written(robot, i, q[i]), 0, exact);
   }
   putchar('\n');
+}
+
+/* What a status of inverse kinematics says of the robot. */
+static const char *outcome(int status) {
+  return status == CHS_NEAR_SINGULAR ? "no joint moves the tool nearer, as where it is out of reach"
+                                     : chs_status_text(status);
 }
 
 static int ik(const struct options *options, const struct robot *robot, const double T[16], double *q) {
@@ -110,11 +112,12 @@ static int ik(const struct options *options, const struct robot *robot, const do
     complain("%s", chs_status_text(status));
     return UNUSABLE;
   }
+  const char *gap = robot->unit[0] == '\0' ? "" : " ";
   print_values(robot, q, options->exact);
   if (!options->exact) {
-    printf("left: %.3g rad, %.3g %s: %s\n", residual[0], residual[1], robot->unit, chs_status_text(status));
+    printf("left: %.3g rad, %.3g%s%s: %s\n", residual[0], residual[1], gap, robot->unit, outcome(status));
   } else if (status != CHS_OK) {
-    complain("%s: %.3g rad and %.3g %s are left", chs_status_text(status), residual[0], residual[1], robot->unit);
+    complain("%s: %.3g rad and %.3g%s%s are left", outcome(status), residual[0], residual[1], gap, robot->unit);
   }
   return status == CHS_OK ? ALL_WELL : SOMETHING_OVER;
 }

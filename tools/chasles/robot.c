@@ -17,6 +17,7 @@ struct reading {
   struct text text;
   struct robot *robot;
   enum rows rows;
+  unsigned seen; /* bit i: keyword i of the table below was there */
   bool has_angles;
   bool has_home;
   double dh[4 * MOST_JOINTS]; /* with base and tool, in place of screws and home */
@@ -119,8 +120,9 @@ static bool read_limits(struct reading *reading, char *line) {
   const char *word = next_word(&line);
   if (word == NULL) return true;
   if (strcmp(word, "limits") != 0) return expected(reading, word, "'limits' or the end of the line");
+  const char *first = line + strspn(line, " \t");
   if (!next_numbers(reading, &line, 2, limits) || !read_end(reading, &line)) return false;
-  if (limits[0] > limits[1]) return expected(reading, "", "the lower limit first");
+  if (limits[0] > limits[1]) return expected(reading, first, "the lower limit first");
   for (int i = 0; i < 2; ++i) limits[i] = robot_value(robot, robot->joints, limits[i]);
   return true;
 }
@@ -149,6 +151,14 @@ static bool read_joint(struct reading *reading, const char *type, char *line) {
 
 /* ---- Lines ---- */
 
+static bool read_robot(struct reading *reading, char *line) {
+  return read_name(reading, line, reading->robot->name, sizeof reading->robot->name);
+}
+
+static bool read_lengths(struct reading *reading, char *line) {
+  return read_name(reading, line, reading->robot->unit, sizeof reading->robot->unit);
+}
+
 static bool read_angles(struct reading *reading, char *line) {
   const char *word = next_word(&line);
   const bool degrees = word != NULL && strcmp(word, "degrees") == 0;
@@ -170,18 +180,20 @@ static bool read_rows(struct reading *reading, char *line) {
 }
 
 static bool read_home(struct reading *reading, char *line) {
-  if (reading->rows != SCREWS) return expected(reading, "home", "'home' with 'rows screws' only");
+  if (reading->rows != SCREWS) return expected(reading, "home", "'home' behind 'rows screws' only");
   reading->has_home = true;
   return read_pose(reading, line, reading->robot->home);
 }
 
 static bool read_base(struct reading *reading, char *line) {
-  if (reading->rows == SCREWS) return expected(reading, "base", "'base' with rows of Denavit and Hartenberg only");
+  if (reading->rows < DH_STANDARD)
+    return expected(reading, "base", "'base' behind 'rows dh-standard' or 'rows dh-modified' only");
   return read_pose(reading, line, reading->base);
 }
 
 static bool read_tool(struct reading *reading, char *line) {
-  if (reading->rows == SCREWS) return expected(reading, "tool", "'tool' with rows of Denavit and Hartenberg only");
+  if (reading->rows < DH_STANDARD)
+    return expected(reading, "tool", "'tool' behind 'rows dh-standard' or 'rows dh-modified' only");
   return read_pose(reading, line, reading->tool);
 }
 
@@ -189,18 +201,27 @@ static bool is_joint(const char *word) {
   return strcmp(word, "revolute") == 0 || strcmp(word, "prismatic") == 0 || strcmp(word, "helical") == 0;
 }
 
+static const struct {
+  const char *word;
+  bool (*read)(struct reading *reading, char *line);
+} keywords[] = {{"robot", read_robot}, {"angles", read_angles}, {"lengths", read_lengths}, {"rows", read_rows},
+                {"home", read_home},   {"base", read_base},     {"tool", read_tool}};
+
+/* Each keyword but once: a second `rows` would leave the joints before it unread, a second `home` the first. */
 static bool read_line(struct reading *reading, char *line) {
   line[strcspn(line, "#")] = '\0';
   const char *word = next_word(&line);
   if (word == NULL) return true;
   if (is_joint(word)) return read_joint(reading, word, line);
-  if (strcmp(word, "robot") == 0) return read_name(reading, line, reading->robot->name, sizeof reading->robot->name);
-  if (strcmp(word, "lengths") == 0) return read_name(reading, line, reading->robot->unit, sizeof reading->robot->unit);
-  if (strcmp(word, "angles") == 0) return read_angles(reading, line);
-  if (strcmp(word, "rows") == 0) return read_rows(reading, line);
-  if (strcmp(word, "home") == 0) return read_home(reading, line);
-  if (strcmp(word, "base") == 0) return read_base(reading, line);
-  if (strcmp(word, "tool") == 0) return read_tool(reading, line);
+  for (size_t i = 0; i < sizeof keywords / sizeof *keywords; ++i) {
+    if (strcmp(word, keywords[i].word) != 0) continue;
+    if ((reading->seen >> i & 1U) != 0) {
+      text_expected(&reading->text, word, "no second '%s'", word);
+      return false;
+    }
+    reading->seen |= 1U << i;
+    return keywords[i].read(reading, line);
+  }
   return expected(reading, word, "robot, angles, lengths, rows, revolute, prismatic, helical, home, base or tool");
 }
 
@@ -250,6 +271,7 @@ bool robot_read(struct robot *robot, const char *name) {
   struct reading reading;
   memset(&reading, 0, sizeof reading);
   memset(robot, 0, sizeof *robot);
+  memcpy(robot->name, "unnamed", sizeof "unnamed");
   reading.robot = robot;
   memcpy(reading.base, identity, sizeof identity);
   memcpy(reading.tool, identity, sizeof identity);
@@ -279,9 +301,20 @@ double robot_written(const struct robot *robot, int joint, double value) {
   return robot->turns[joint] && robot->degrees ? in_degrees(value) : value;
 }
 
+bool no_options(int count, char **words) {
+  for (int i = 0; i < count; ++i) {
+    if (strncmp(words[i], "--", 2) != 0) continue;
+    complain("options stand before the file of the robot, and '%s' behind it", words[i]);
+    return false;
+  }
+  return true;
+}
+
 bool robot_values(const struct robot *robot, int count, char **words, double *q) {
+  if (!no_options(count, words)) return false;
   if (count != robot->joints) {
-    complain("%s has %d joints, and %d values are given", robot->name, robot->joints, count);
+    complain("%s has %d joint%s, and %d values are given", robot->name, robot->joints, robot->joints == 1 ? "" : "s",
+             count);
     return false;
   }
   for (int i = 0; i < count; ++i) {
@@ -295,15 +328,18 @@ bool robot_values(const struct robot *robot, int count, char **words, double *q)
   return true;
 }
 
+void print_value(double x, int width, bool exact) {
+  if (exact) {
+    print_shortest(stdout, x + 0.0);
+  } else {
+    printf("%*.9f", width, fabs(x) < 0.5e-9 ? 0.0 : x);
+  }
+}
+
 void print_matrix(const double *matrix, int rows, int columns, bool exact) {
   for (int i = 0; i < rows * columns; ++i) {
-    const double x = matrix[i] + 0.0; /* no negative zeros */
-    if (exact && i % columns > 0) putchar(' ');
-    if (exact) {
-      print_shortest(stdout, x);
-    } else {
-      printf(" %15.9f", x);
-    }
+    if (!exact || i % columns > 0) putchar(' ');
+    print_value(matrix[i], 15, exact);
     if (i % columns == columns - 1) putchar('\n');
   }
 }

@@ -1,7 +1,7 @@
 /* robot.h - robots as text: a serial chain, read from a file.
  *
  *   # the arm of chapter 4; everything after a # is a comment
- *   robot Example               a name
+ *   robot Example               a name; may be left out, as may the unit and limits
  *   angles degrees              or radians: of this file, and of joint values typed and printed
  *   lengths m                   any unit; all lengths are of this one
  *   rows screws                 what the rows of joints are; see below
@@ -18,7 +18,8 @@
  * Rows of `dh-standard` and `dh-modified` are Denavit and Hartenberg's four numbers, a alpha d theta, of the distal
  * convention, A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i), and of Craig's, A_i = Rx(alpha) Tx(a) Rz(theta) Tz(d) with
  * a and alpha of the link before. The joint value adds to theta of a revolute joint and to d of a prismatic one. In
- * place of `home` there may be `base` and `tool`, poses of the first frame and of the tool in the last.
+ * place of `home` there may be `base` and `tool`, poses of the first frame and of the tool in the last. `angles` and
+ * `rows` stand before the joints, and each keyword but those of joints only once.
  */
 #ifndef ROBOT_H
 #define ROBOT_H
@@ -50,8 +51,14 @@ chs_chain robot_chain(const struct robot *robot);
 double robot_value(const struct robot *robot, int joint, double written);
 double robot_written(const struct robot *robot, int joint, double value);
 
+/* Whether none of the words is an option; false after a message. */
+bool no_options(int count, char **words);
+
 /* Joint values from words, one a joint; false after a message. */
 bool robot_values(const struct robot *robot, int count, char **words, double *q);
+
+/* A number with nine decimals, or with all its digits; without the sign of a negative zero. */
+void print_value(double x, int width, bool exact);
 
 /* A row-major matrix, in columns or with all its digits; and the rows of [R p]. */
 void print_matrix(const double *matrix, int rows, int columns, bool exact);
