@@ -191,7 +191,7 @@ static void test_the_twist_of_the_smallest_turns_has_its_digits(void) {
     /* What the rounding of B's columns, half an eps an entry, makes of the turn, against the exact sum of products. */
     double expected[3] = {0, 0, 0};
     for (int i = 0; i < 3; i++) {
-      double x = Ra[3 * i], y = Ra[3 * i + 1], z = Ra[3 * i + 2];
+      double x = (double)Ra[3 * i], y = (double)Ra[3 * i + 1], z = (double)Ra[3 * i + 2];
       double dx = (double)Rb[3 * i] - x, dy = (double)Rb[3 * i + 1] - y, dz = (double)Rb[3 * i + 2] - z;
       expected[0] += z * dy - y * dz;
       expected[1] += x * dz - z * dx;

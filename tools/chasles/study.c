@@ -534,7 +534,7 @@ static void angle_errors(const struct motion *motion, const struct solution *fou
   double wanted[9], ours[9], p[3];
   chs_se3_to_parts(motion->T, wanted, p);
   chs_se3_to_parts(found->T, ours, p);
-  if (chs_so3_angle(wanted, ours, rotation) < 0) *rotation = NAN;
+  if (chs_so3_angle(wanted, ours, rotation) < 0) *rotation = (double)NAN;
   *axis = distance(found->screw.axis, motion->screw.axis);
 }
 
