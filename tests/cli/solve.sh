@@ -96,6 +96,8 @@ sed -n 3p out | awk -F, '{ exit !($14 > 3e-4 && $14 < 3e-3 && $15 > 1e-4 && $15 
   fail "the standard deviations should be about 0.001"
 run 0 solve --points 4 --covariance 0.001 four.csv
 out_has ' sd_angle_deg '
+run 0 solve --all-methods --covariance 0.001 four.csv
+grep -q nan out && fail "methods without standard deviations should have none"
 
 # A forearm A, B, C relative to an arm D, E, F: a quarter turn about the line through (3, 0, 0) along y, with 0.5 along
 # it, while the arm itself makes a quarter turn about z and moves by (5, 0, 0).
@@ -193,6 +195,7 @@ malformed '1s/C_z_m/C_x_m/' 1 "one column x for each marker, found 'C'"
 malformed '1s/C_z_m/C_z_mm/' 1 "the unit 'm' in all columns of marker C, found 'mm'"
 malformed '1s/C_\(.\)_m/C_\1_mm/g' 1 "the unit 'm' of marker A for C as well, found 'mm'"
 malformed '1s/[ABC]_//g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'D'"
+malformed '1s/_\([xyz]\)_/ \1 /g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'A x m'"
 malformed '1,$d' 0 'a row of column names, found the end of the file'
 malformed '4s/,$//' 4 '14 cells, found 13'
 malformed '4s/$/,/' 4 '14 cells, found 15'

@@ -1,4 +1,4 @@
-/* agile_eye.c - chasles agile-eye: the rotational errors of the Agile Eye over its orientations (Briot & Bonev 2008). */
+/* agile_eye.c - chasles agile-eye: the rotational errors of the Agile Eye over its workspace (Briot & Bonev 2008). */
 #include <chasles/chasles.h>
 #include <getopt.h>
 #include <math.h>
@@ -32,7 +32,8 @@ const char agile_eye_help[] =
     "  --help             print this help\n"
     "\n"
     "In CSV, inside says which worst errors (a, b or ab) have a joint strictly inside its error interval; distance is\n"
-    "the turn to the nearest singular orientation; the errors are empty where the error box reaches one.\n"
+    "the turn to the nearest singular orientation; the errors are empty where the error box reaches one. The table\n"
+    "gives for each torsion how many orientations are singular in this sense, and what part of the others is inside.\n"
     "\n"
     "exit status: 0 all well, 2 unusable arguments, or an output that cannot be written\n"
     "\n"

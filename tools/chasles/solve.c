@@ -153,7 +153,8 @@ static bool choose_markers(struct run *run) {
   const struct marker *list = run->markers.list;
   const struct options *options = run->options;
   if (run->markers.count < 3 || (options->markers == NULL && run->markers.count < options->points)) {
-    text_expected(&run->markers.text, run->markers.count == 0 ? "" : list[0].name,
+    const int first = run->markers.has_time && run->markers.columns > 1;
+    text_expected(&run->markers.text, run->markers.count == 0 ? run->markers.cells[first] : list[0].name,
                   "columns NAME_x, NAME_y, NAME_z of at least %ld markers",
                   options->markers == NULL ? options->points : 3);
     return false;
@@ -291,9 +292,11 @@ static void print_table_row(const struct run *run, const struct result *result) 
     for (int i = 0; i < 3; ++i) printf(" %8.5f", screw->axis[i]);
     for (int i = 0; i < 3; ++i) printf(" %11.5g", screw->point[i]);
     printf(" %13.5g %11.3g", screw->translation, result->rms);
-    if (has_deviations(run)) {
-      printf(" %12.4g %11.3g %11.3g %16.3g", in_degrees(result->deviations[0]), result->deviations[1],
-             result->deviations[2], result->deviations[3]);
+    const double *sd = result->deviations;
+    if (has_deviations(run) && isnan(sd[0])) {
+      printf(" %53s", "");
+    } else if (has_deviations(run)) {
+      printf(" %12.4g %11.3g %11.3g %16.3g", in_degrees(sd[0]), sd[1], sd[2], sd[3]);
     }
   } else {
     printf(" %*s", has_deviations(run) ? 153 : 99, "");
@@ -359,8 +362,8 @@ static void print_summary(const struct run *run) {
 
 /* ---- Solving ---- */
 
-/* Takes the body's markers to where the second body sees them from its place in the base frame. The status of the second
- * body's own displacement. */
+/* Takes the body's markers to where the second body sees them from its place in the base frame. The status of the
+ * second body's own displacement. */
 static int see_from_base(const struct run *run, struct frame *frame) {
   double T[16];
   double back[16];

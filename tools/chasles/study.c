@@ -26,7 +26,7 @@ const char study_help[] =
     "exact (Tables 2 and 3), and how much errors of the data disturb them (figures 4 to 7), in double and in float,\n"
     "with the paper's values beside ours; and how exact they are at small angles and near a half-turn, which the paper\n"
     "does not ask. Errors of the data scale a whole triangle by 1 + or - E, as in the paper, or are independent noise\n"
-    "in each coordinate, as measuring gives it.\n"
+    "in each coordinate, as measuring gives it. (Of these the table is for double; the CSV has float as well.)\n"
     "\n"
     "options:\n"
     "  --sets N         motions for efficiency and accuracy (default: 200, as in the paper)\n"
@@ -126,7 +126,7 @@ static bool is_thin(const double points[9]) {
   return 2.0 * sqrt(fmax(area, 0.0)) < 0.1 * longest * longest;
 }
 
-/* e and A with their constraints e.e = 1 and e.A = 0; e_z is at least 0.2, so that A_z stays of the size of the rest. */
+/* e and A with their constraints e.e = 1 and e.A = 0; e_z is at least 0.2, so that A_z is of the size of the rest. */
 static chs_screw draw_screw(uint64_t *random, double angle) {
   chs_screw screw;
   double square;
