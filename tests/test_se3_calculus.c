@@ -44,21 +44,28 @@ static void test_hat_puts_the_twist_where_the_header_says_and_vee_takes_it_back(
   ASSERT_SAME_BITS(V, back, 6);
 }
 
+/* The sum of later! M^n / (n + later)! over n, M of `size` rows and columns: exp M where later is 0. */
+static void power_series(const real *M, int size, int later, double *sum) {
+  double power[36];
+  for (int i = 0; i < size * size; i++) sum[i] = power[i] = i % (size + 1) == 0;
+  for (int n = 1; n < 25; n++) {
+    double next[36] = {0};
+    for (int i = 0; i < size; i++)
+      for (int j = 0; j < size; j++)
+        for (int m = 0; m < size; m++)
+          next[size * i + j] += power[size * i + m] * (double)M[size * m + j] / (n + later);
+    for (int i = 0; i < size * size; i++) sum[i] += power[i] = next[i];
+  }
+}
+
 /* exp [V] by its power series, from the 4x4 matrix. */
 static void test_exp_is_the_exponential_of_the_matrix(void) {
   for (int k = 0; k < CASES; k++) {
     real V[6], M[16], T[16];
-    double power[16], sum[16];
+    double sum[16];
     random_twist(uniform(0, 1), 1, V);
     FN(chs_se3_hat)(V, M);
-    for (int i = 0; i < 16; i++) sum[i] = power[i] = i % 5 == 0;
-    for (int n = 1; n < 25; n++) {
-      double next[16] = {0};
-      for (int i = 0; i < 4; i++)
-        for (int j = 0; j < 4; j++)
-          for (int m = 0; m < 4; m++) next[4 * i + j] += power[4 * i + m] * (double)M[4 * m + j] / n;
-      for (int i = 0; i < 16; i++) sum[i] += power[i] = next[i];
-    }
+    power_series(M, 4, 0, sum);
     ASSERT_STATUS(CHS_OK, FN(chs_se3_exp)(V, T));
     for (int i = 0; i < 16; i++) ASSERT_WITHIN_EPS(sum[i], T[i], CHS_EPS_SE3_EXP_TRANSLATION + 8, 1);
   }
@@ -90,17 +97,10 @@ static void test_ad_applied_is_the_bracket_and_its_transpose(void) {
 static void test_the_adjoint_of_exp_is_the_exponential_of_ad(void) {
   for (int k = 0; k < CASES; k++) {
     real V[6], ad[36], T[16], Ad[36];
-    double power[36], sum[36];
+    double sum[36];
     random_twist(uniform(0, 1), 1, V);
     FN(chs_se3_ad)(V, ad);
-    for (int i = 0; i < 36; i++) sum[i] = power[i] = i % 7 == 0;
-    for (int n = 1; n < 25; n++) {
-      double next[36] = {0};
-      for (int i = 0; i < 6; i++)
-        for (int j = 0; j < 6; j++)
-          for (int m = 0; m < 6; m++) next[6 * i + j] += power[6 * i + m] * (double)ad[6 * m + j] / n;
-      for (int i = 0; i < 36; i++) sum[i] += power[i] = next[i];
-    }
+    power_series(ad, 6, 0, sum);
     ASSERT_STATUS(CHS_OK, FN(chs_se3_exp)(V, T));
     FN(chs_se3_adjoint)(T, Ad);
     for (int i = 0; i < 36; i++) ASSERT_WITHIN_EPS(sum[i], Ad[i], 30, 1);
@@ -293,17 +293,10 @@ static void test_distances_are_those_of_the_parts(void) {
 static void test_the_left_jacobian_is_its_power_series(void) {
   for (int k = 0; k < CASES; k++) {
     real V[6], ad[36], J[36];
-    double power[36], sum[36];
+    double sum[36];
     random_twist(k % 2 ? uniform(0, 1) : random_angle(k / 2 % 3), 1, V);
     FN(chs_se3_ad)(V, ad);
-    for (int i = 0; i < 36; i++) sum[i] = power[i] = i % 7 == 0;
-    for (int n = 1; n < 25; n++) {
-      double next[36] = {0};
-      for (int i = 0; i < 6; i++)
-        for (int j = 0; j < 6; j++)
-          for (int m = 0; m < 6; m++) next[6 * i + j] += power[6 * i + m] * (double)ad[6 * m + j] / (n + 1);
-      for (int i = 0; i < 36; i++) sum[i] += power[i] = next[i];
-    }
+    power_series(ad, 6, 1, sum);
     ASSERT_STATUS(CHS_OK, FN(chs_se3_left_jacobian)(V, J));
     for (int i = 0; i < 36; i++) ASSERT_WITHIN_EPS(sum[i], J[i], CHS_EPS_SE3_LEFT_JACOBIAN_COUPLING + 2, 1);
   }

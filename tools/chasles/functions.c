@@ -23,15 +23,6 @@
 #define LIB(name) chs_##name
 #define LOCAL(name) name##_double
 #include "functions_calls.h"
-#undef REAL
-#undef SCREW
-#undef SUMS
-#undef QUALITY
-#undef CHAIN
-#undef IK
-#undef REAL_EPSILON
-#undef LIB
-#undef LOCAL
 
 #define REAL float
 #define SCREW chs_screwf
@@ -43,15 +34,6 @@
 #define LIB(name) chs_##name##f
 #define LOCAL(name) name##_float
 #include "functions_calls.h"
-#undef REAL
-#undef SCREW
-#undef SUMS
-#undef QUALITY
-#undef CHAIN
-#undef IK
-#undef REAL_EPSILON
-#undef LIB
-#undef LOCAL
 
 #define PROMISE(group, macro) \
   { #group, CHS_EPS_##macro, CHS_EPS_##macro }

@@ -1,7 +1,8 @@
 /* functions_calls.h - the calls of functions.def in one precision; functions.c includes it twice.
  *
- * The includer defines REAL, SCREW, CHAIN and IK (the types), REAL_EPSILON, LIB(name) (the library's function of that name) and LOCAL(name) (a
- * name of our own for this precision). No include guard, on purpose.
+ * The includer defines REAL, SCREW, SUMS, QUALITY, CHAIN and IK (the types), REAL_EPSILON, LIB(name) (the library's
+ * function of that name) and LOCAL(name) (a name of our own for this precision); all are undefined at the end. No
+ * include guard, on purpose.
  */
 
 /* A screw in a flat array is axis, point, translation, angle. */
@@ -104,8 +105,8 @@ static int LOCAL(chain_jacobian)(int (*method)(const CHAIN *, const REAL *, REAL
   return method(&chain, in + 53, out, out + 36);
 }
 
-/* The pose that inverse kinematics reaches from the joint values in the array, to 1024 eps. Without a solution it is that
- * of the best joint values found. */
+/* The pose that inverse kinematics reaches from the joint values in the array, to 1024 eps. Without a solution it is
+ * that of the best joint values found. */
 static int LOCAL(chain_reach)(int (*method)(const CHAIN *, const REAL *, const REAL *, const IK *, REAL *, REAL *,
                                             REAL *),
                               const REAL *in, REAL *out) {
@@ -203,3 +204,12 @@ static int LOCAL(order_of_points)(const REAL *in, REAL *out) {
 #include "functions.def"
 #undef FUNCTION
 #undef ALWAYS_OK
+#undef REAL
+#undef SCREW
+#undef SUMS
+#undef QUALITY
+#undef CHAIN
+#undef IK
+#undef REAL_EPSILON
+#undef LIB
+#undef LOCAL
