@@ -187,7 +187,7 @@ int FN(chs_agile_eye_direct)(const real joints[3], int assembly, real R[9]) {
   return status;
 }
 
-/* In the first assembly mode (u_i x w_i) . v_i = D / (d_j d_k). Where D is no more than rounding either sign will do. */
+/* In the first assembly mode (u_i x w_i) . v_i = D / (d_j d_k). Where D is no more than rounding either will do. */
 int FN(chs_agile_eye_direct_working)(const real joints[3], int working, real R[9]) {
   if (working < 0 || working > 7) return CHS_ERR_ARGUMENT;
   legs l;

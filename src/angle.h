@@ -13,8 +13,8 @@
 #define ANGLE_MAX CHS_ANGLE_MAX
 #endif
 
-/* The square of a number or the squared length of a vector, of up to 4, as head + rest. The head is that of the parts on
- * a grid so coarse that not only their squares and the sum of them are exact, but also what is made of it below. */
+/* The square of a number or the squared length of a vector, of up to 4, as head + rest. The head is that of the parts
+ * on a grid so coarse that not only their squares and the sum of them are exact, but also what is made of it below. */
 typedef struct split_square {
   real head, rest;
 } split_square;
@@ -34,8 +34,8 @@ static inline split_square squared_length(const real w[3]) {
   return square;
 }
 
-/* What the exponentials need of a rotation by theta. Where the angle was reduced modulo 2 pi, s and c may both carry the
- * other sign: only s c, s s, c c and c / s are meant to be used. */
+/* What the exponentials need of a rotation by theta. Where the angle was reduced modulo 2 pi, s and c may both carry
+ * the other sign: only s c, s s, c c and c / s are meant to be used. */
 typedef struct half_angle {
   real s;     /* sin(theta/2) / theta */
   real c;     /* cos(theta/2) */
@@ -44,8 +44,8 @@ typedef struct half_angle {
   real tt;    /* theta^2 */
 } half_angle;
 
-/* From theta^2 up to a little above pi^2. The heads of s = 1/2 - p t, of its square and of c = 1 - q t are exact, so that
- * hardly more than the last rounding of each is lost. */
+/* From theta^2 up to a little above pi^2. The heads of s = 1/2 - p t, of its square and of c = 1 - q t are exact, so
+ * that hardly more than the last rounding of each is lost. */
 static inline half_angle half_angle_within_pi(split_square square) {
   half_angle half;
   real head = square.head, rest = square.rest, t = head + rest, t2 = t * t, high = CHS_HIGH(t);

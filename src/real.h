@@ -18,7 +18,7 @@
 #endif
 
 /* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here; and its
- * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results whatever it is told. */
+ * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results all the same. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #else

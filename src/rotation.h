@@ -78,9 +78,9 @@ static inline quaternion quaternion_of(const real R[9]) {
   return q;
 }
 
-/* R = I + a [w] + 2 ss [w]^2 with a = sin(theta)/|w|, ss = (sin(theta/2)/|w|)^2 and cc = cos(theta/2)^2. The diagonal is
- * cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may be
- * w: all of w is read before R is written. */
+/* R = I + a [w] + 2 ss [w]^2 with a = sin(theta)/|w|, ss = (sin(theta/2)/|w|)^2 and cc = cos(theta/2)^2. The diagonal
+ * is cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may
+ * be w: all of w is read before R is written. */
 static inline void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
   real kx = ss * w[0], ky = ss * w[1], kz = ss * w[2];
   real xx = kx * w[0], yy = ky * w[1], zz = kz * w[2];

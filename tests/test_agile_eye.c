@@ -151,7 +151,7 @@ static void test_assembly_modes_differ_by_half_turns_of_the_platform(void) {
   }
 }
 
-/* A working mode is the three signs of (u_i x w_i) . v_i; those that go with the joints are found, the others refused. */
+/* A working mode is the three signs of (u_i x w_i) . v_i; those that go with the joints are found, others refused. */
 static void test_a_working_mode_has_the_signs_that_its_number_says(void) {
   for (int k = 0; k < CASES; k++) {
     real q[3], R[9];

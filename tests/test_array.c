@@ -45,7 +45,7 @@ enum { MOST_STRIDE = 20 };
 static real in[MOST_STRIDE * N], out[MOST_STRIDE * N], expected[MOST_STRIDE * N];
 static int statuses[N], wanted[N];
 
-/* Runs both forms on `in`, with room between the elements, and compares outputs, what lies between them, and statuses. */
+/* Runs both forms on `in`, with room between the elements, and compares outputs, what is between them, and statuses. */
 #define ASSERT_SAME_AS_SINGLE(name, in_stride, out_stride)                                                     \
   do {                                                                                                         \
     fill(out, MOST_STRIDE *N);                                                                                 \

@@ -537,8 +537,8 @@ static double predicted(const real pose[36], const real of_screw[64], int i, int
 }
 
 /* The sample covariance of N measurements differs from the true one by its own standard deviation, ((c_ii c_jj +
- * c_ij^2)/N)^1/2 as the chi-square distribution has it, times a standard normal number: five of them are not exceeded by
- * 57 entries but once in 30000 runs, and the seed is fixed. What the first order leaves out is (error/size)^2, 1e-4. */
+ * c_ij^2)/N)^1/2 as the chi-square distribution has it, times a standard normal number: five of them are not exceeded
+ * by 57 entries but once in 30000 runs, and the seed is fixed. The first order leaves out (error/size)^2, 1e-4. */
 static void check_by_monte_carlo(const char *name, double angle, double sigma_initial, double sigma_final) {
   experiment e;
   real pose[36], of_screw[64], initial[3 * MARKERS], final[3 * MARKERS], T[16];

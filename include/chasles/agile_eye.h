@@ -2,8 +2,8 @@
  *
  * A platform turns about a fixed centre O, through which every joint axis passes. Leg i has a motor on the base, its
  * axis along u_i; a link of a right angle from u_i to w_i, the axis of the middle joint; and one more, from w_i to v_i,
- * the axis of the joint on the platform (Bonev, Chablat & Wenger 2006; Briot & Bonev 2008). The base frame x y z and the
- * platform's frame X Y Z, the columns of R, have their origin at O:
+ * the axis of the joint on the platform (Bonev, Chablat & Wenger 2006; Briot & Bonev 2008). The base frame x y z and
+ * the platform's frame X Y Z, the columns of R, have their origin at O:
  *
  *        u3 w1                    motor axis    at joint angle q_i           platform's axis
  *           z                     u1 =  x       w1 = (0, -sin q1, cos q1)    v1 = -Y
@@ -71,9 +71,9 @@ int chs_agile_eye_inverse_allf(const float R[9], float joints[24]);
  * orientation is known to its last digits. What a change of theirs does there is another matter: it is larger in R by
  * up to 1/d, d the least of the d_i. With size = max(1, |q1|, |q2|, |q3|):
  * Returns CHS_OK; CHS_SELF_MOTION where |D| <= 8 eps size, at which the platform is locked, the legs turn freely, and
- * every working mode is answered; CHS_ILL_CONDITIONED where d <= sqrt(eps) size; CHS_ERR_SINGULAR where d <= 8 eps size,
- * so that the rounding of the joint angles alone decides how the platform has turned, and where the working mode goes
- * with no orientation; CHS_ERR_ARGUMENT where there is no such mode; CHS_ERR_NAN, CHS_ERR_INFINITE,
+ * every working mode is answered; CHS_ILL_CONDITIONED where d <= sqrt(eps) size; CHS_ERR_SINGULAR where d <= 8 eps
+ * size, so that the rounding of the joint angles alone decides how the platform has turned, and where the working mode
+ * goes with no orientation; CHS_ERR_ARGUMENT where there is no such mode; CHS_ERR_NAN, CHS_ERR_INFINITE,
  * CHS_ERR_ANGLE_RANGE; and of `last` what CHS_SO3_FAR says. Assembly modes 4 to 7 are always CHS_OK. */
 #define CHS_EPS_AGILE_EYE_DIRECT 6.0
 #define CHS_EPS_AGILE_EYE_DIRECT_WORKING 6.0
@@ -87,8 +87,8 @@ int chs_agile_eye_direct_nearf(const float joints[3], const float last[9], float
 
 /* Rates: omega = J (dq1/dt, dq2/dt, dq3/dt), the angular velocity of the platform in the base frame, the same in the
  * assembly modes 0 to 3; and back, the same in all working modes. With A omega + B dq/dt = 0, the derivatives of
- * w_i . v_i, A has the rows v_i x w_i and the determinant -D (D where the platform is locked), B the diagonal (u_i x w_i) . v_i, and J = -A^-1 B has the
- * determinant D^2 / (d1 d2 d3)^2 and the columns
+ * w_i . v_i, A has the rows v_i x w_i and the determinant -D (D where the platform is locked), B the diagonal
+ * (u_i x w_i) . v_i, and J = -A^-1 B has the determinant D^2 / (d1 d2 d3)^2 and the columns
  *
  *   (s1^2 s3^2 + c1^2 c2^2 + s1 s2 s3 c1 c2 c3, -s1 s3 N2, -c1 c2 N3) / (d2 d3)^2,  and cyclically
  *
@@ -99,9 +99,9 @@ int chs_agile_eye_direct_nearf(const float joints[3], const float last[9], float
  *   R       as for chs_agile_eye_inverse.
  *
  * The errors: a column of J relative to 1/(d_j d_k), which it does not exceed, and a row of the inverse to its norm.
- * The first returns as chs_agile_eye_direct; where D = 0 the rank of J is 1. The second returns CHS_OK; CHS_ERR_SINGULAR
- * where a v_i is along u_i to within 4 eps; CHS_ERR_LOCKUP where all are, so that no joint rates move the platform; and
- * what CHS_SO3_FAR says. */
+ * The first returns as chs_agile_eye_direct; where D = 0 the rank of J is 1. The second returns CHS_OK;
+ * CHS_ERR_SINGULAR where a v_i is along u_i to within 4 eps; CHS_ERR_LOCKUP where all are, so that no joint rates move
+ * the platform; and what CHS_SO3_FAR says. */
 #define CHS_EPS_AGILE_EYE_JACOBIAN 8.0
 #define CHS_EPS_AGILE_EYE_JACOBIAN_INVERSE 3.0
 int chs_agile_eye_jacobian(const double joints[3], double J[9]);

@@ -143,8 +143,8 @@ int chs_motion_beggsf(const float initial[9], const float final[9], float tolera
  * The default is Spoor & Veldpaus, which measuring errors disturb least: with independent errors of the coordinates, as
  * markers have, and triangles of k <= 4 the rotation of Angeles is off by 1.12 times as much, Laub & Shiflett 1.16,
  * Beggs 1.19, Bottema & Roth 1.97 (root mean square). On the motions of the paper's section 4 with 0.1 % of such errors
- * the final points are off by 1.16, 1.24, 1.40 and 2.16 times as much: tools/study/methods.md. In time they cost, in the
- * same order, about 1.1, 0.6, 0.9 and 0.45.
+ * the final points are off by 1.16, 1.24, 1.40 and 2.16 times as much: tools/study/methods.md. In time they cost, in
+ * the same order, about 1.1, 0.6, 0.9 and 0.45.
  *
  * Returns what the method returns, or CHS_ERR_ARGUMENT for a method that is none. */
 typedef enum chs_motion_method {
@@ -224,8 +224,8 @@ typedef struct chs_motion_qualityf {
  * translation r + k |D|/s; point k (r/s + |D|/s^2); residuals k f; size itself; rigidity k f/size; growth
  * 1 + |growth|; condition k^2. k is 2.6 for a round cloud, 3 for a flat one; for a thin one of relative height h it
  * grows like 1/h^2, since H holds squares: three of its points, well chosen, lose only eps/h with the methods above.
- * A rotation of less than its own error, 2 k eps, counts as none; the angle of a half-turn ends at pi, on whichever side
- * of it the convention for its axis leaves it.
+ * A rotation of less than its own error, 2 k eps, counts as none; the angle of a half-turn ends at pi, on whichever
+ * side of it the convention for its axis leaves it.
  *
  * Returns CHS_OK, or
  *   CHS_POINTS_MISSING       some are missing, and nothing of the following
@@ -299,8 +299,8 @@ int chs_motion_finish(const chs_motion_sums *sums, double tolerance, chs_screw *
 int chs_motion_finishf(const chs_motion_sumsf *sums, float tolerance, chs_screwf *screw, float T[16],
                        chs_motion_qualityf *quality);
 
-/* What measuring errors do to the least-squares displacement, to first order (Spoor & Veldpaus 1980; Woltring et al. 1985
- * for the axis).
+/* What measuring errors do to the least-squares displacement, to first order (Spoor & Veldpaus 1980; Woltring et al.
+ * 1985 for the axis).
  *
  *   n ... missing  as for chs_motion_fit. Where the points differ in quality the weights must be what they should be:
  *                  the error of point i is sigma / sqrt(weight of i), in each coordinate.
@@ -321,8 +321,8 @@ int chs_motion_finishf(const chs_motion_sumsf *sums, float tolerance, chs_screwf
  * angles, and that of the point like |D|^2/theta^4.
  *
  * With a^2 = |A^-1| and b^2 = 1/W the standard deviations are bounded by sigma times: w a; d a r + b; axis a/s; point
- * a (r/s + |D|/s^2) + b/s; translation a |D|/s + b; angle a. The error of an entry is relative to the two bounds that it
- * belongs to times k, for the screw times k/s.
+ * a (r/s + |D|/s^2) + b/s; translation a |D|/s + b; angle a. The error of an entry is relative to the two bounds that
+ * it belongs to times k, for the screw times k/s.
  * Returns as chs_motion_fit but for CHS_ERR_NOT_RIGID, and
  *   CHS_ILL_CONDITIONED  the rotation or the axis is uncertain by more than 0.1 radians, where first order tells
  *                        little: the angle is too small for the errors, or the cloud too thin

@@ -116,8 +116,8 @@ void chs_so3_applyf(const float R[9], const float x[3], float y[3]);
  *
  *   angle = atan2(|s|, trace(A^T B) - 1),  s = sum over the columns a_k x b_k
  *
- * The error is relative to |B - A|, Frobenius, which is 2 sqrt(2) sin(angle/2) for rotations, down to the smallest: s is
- * formed from the differences b_k - a_k, which are exact for near orientations. (An arccos of the trace has no digit
+ * The error is relative to |B - A|, Frobenius, which is 2 sqrt(2) sin(angle/2) for rotations, down to the smallest: s
+ * is formed from the differences b_k - a_k, which are exact for near orientations. (An arccos of the trace has no digit
  * left below 1e-8 rad in double.) Where drift sets the matrices apart by more than the angle does, it is the drift.
  * Returns CHS_OK and what CHS_SO3_FAR says, of either matrix. */
 #define CHS_EPS_SO3_ANGLE 4.0
@@ -151,14 +151,15 @@ int chs_so3_deviationf(const float R[9], float *deviation);
 int chs_so3_check(const double R[9], double tolerance);
 int chs_so3_checkf(const float R[9], float tolerance);
 
-/* The rotation at which three equations hold, by Newton's method: the direct kinematics of a spherical robot that has no
- * closed form, for one. The derivatives with respect to small turns, exp [w] R, are central differences; a step turns
- * by at most 1/2 rad, and is halved until it comes nearer.
+/* The rotation at which three equations hold, by Newton's method: the direct kinematics of a spherical robot that has
+ * no closed form, for one. The derivatives with respect to small turns, exp [w] R, are central differences; a step
+ * turns by at most 1/2 rad, and is halved until it comes nearer.
  *
  *   residual   writes f(R), three numbers, and returns a chs_status; an error of it shortens the step
  *              that led there; at the start and in the derivatives it ends the search and is returned.
  *   context    is handed to it.
- *   start      a rotation to within CHS_SO3_FAR. The solution found is that of its neighbourhood, not always the nearest.
+ *   start      a rotation to within CHS_SO3_FAR. The solution found is that of its neighbourhood, not always the
+ *              nearest.
  *   tolerance  |f| that counts as solved, >= 0.
  *   limit      the most steps, >= 0. A step calls the residual 7 to 16 times.
  *   R          the rotation.

@@ -75,13 +75,13 @@ int chs_tilt_from_rotationf(const float R[9], float *azimuth, float *tilt, float
  *            for all steps^n, which may be 2^30 at most.
  *   refine   how often the search after the grid halves its step, from the grid's; 0 for the grid alone.
  *   scratch  CHS_TILT_WORST_SCRATCH(n) numbers.
- *   worst    the largest alpha and the largest beta of chs_tilt_error against the nominal pose, and the largest distance
- *            of the two origins.
+ *   worst    the largest alpha and the largest beta of chs_tilt_error against the nominal pose, and the largest
+ *            distance of the two origins.
  *   where    the joint values that gave them [3 n], n each; may be NULL.
  *
  * The errors of the two angles are absolute, those of two poses; the promise is for a robot whose R is within 6 eps.
- * Gains up to 16 eps, times the size of the nominal position for the distance, are taken for rounding: a joint that does
- * not matter stays at the lower end of its interval.
+ * Gains up to 16 eps, times the size of the nominal position for the distance, are taken for rounding: a joint that
+ * does not matter stays at the lower end of its interval.
  * Returns CHS_OK, or the first positive status of the robot or of chs_tilt_error on the way; CHS_ERR_ARGUMENT,
  * CHS_ERR_NAN, CHS_ERR_INFINITE of joints and errors; and the first error of the robot or of chs_tilt_error, so that a
  * box that reaches a singularity is told. */

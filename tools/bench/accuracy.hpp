@@ -17,7 +17,7 @@ struct errors {
 };
 
 /* The cases of one function and precision that any library can be held to: those with an answer, for points that are
- * rigid and matrices that are rotations to within rounding. (What a drifted matrix stands for is each library's own.) */
+ * rigid and matrices that are rotations to within rounding. (What a drifted matrix means is each library's own.) */
 class reference {
 public:
   /* False when there is no such file, or it cannot be read. */

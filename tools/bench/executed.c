@@ -1,5 +1,5 @@
-/* executed.c - calls every function of the library for every case of its reference vectors, and has callgrind write down
- * after each what was executed: once for the ordinary band, once for all bands. executed.py runs it.
+/* executed.c - calls every function of the library for every case of its reference vectors, and has callgrind write
+ * down after each what was executed: once for the ordinary band, once for all bands. executed.py runs it.
  */
 #include <stdio.h>
 #include <stdlib.h>

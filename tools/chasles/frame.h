@@ -12,8 +12,8 @@
  *                                          unknown                           no such function, or other inputs
  *   (a damaged line)                       damaged
  *
- * VERSION is the library's, WINDOW the bytes that the host may send ahead of the answers (0: one request at a time), and
- * the last words say what the device is. STATUS is the function's answer, 32 bits; MEMORY is `written`, `untouched`
+ * VERSION is the library's, WINDOW the bytes that the host may send ahead of the answers (0: one request at a time),
+ * and the last words say what the device is. STATUS is the function's answer, 32 bits; MEMORY is `written`, `untouched`
  * (not one byte of the outputs was written) or `beyond` (something was written behind them); COUNT the instructions or
  * cycles of the call, 0 when the device does not count. On a negative status there are no outputs.
  *

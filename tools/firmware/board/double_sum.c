@@ -30,8 +30,8 @@ static uint32_t leading_bits(uint32_t high) {
   return (high & 0xfffffu) | (((high >> 20) & EXPONENTS) ? 0x100000u : 0u);
 }
 
-/* In units of the last place below 2^e, halves of those above, the larger number is 2^53 + 2 F and the smaller one S and
- * a fraction: its significand over 2^32. */
+/* In units of the last place below 2^e, halves of those above, the larger number is 2^53 + 2 F and the smaller one S
+ * and a fraction: its significand over 2^32. */
 static int spoilt(uint64_t larger, uint64_t smaller) {
   const uint32_t high = (uint32_t)(larger >> 32);
   const uint32_t F = (uint32_t)larger;

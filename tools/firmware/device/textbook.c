@@ -1,5 +1,5 @@
-/* textbook.c - the float functions as a textbook writes them, with libm's sinf, cosf and atan2f: no care near zero, near
- * pi or for bad inputs. Only there to be counted beside the library's own.
+/* textbook.c - the float functions as a textbook writes them, with libm's sinf, cosf and atan2f: no care near zero,
+ * near pi or for bad inputs. Only there to be counted beside the library's own.
  */
 #include <chasles/chasles.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* main.c - the loop of loop.c in an interrupt at 1 kHz, on a Cortex-M4 that is emulated with -icount shift=7, where an
  * instruction takes 3.2 ticks of the 25 MHz clock. The tool swings for two seconds; now and then a marker is hidden.
- * Prints what became of it, and how many instructions the longest tick took. Exit status 0 when all was as it should be.
+ * Prints what became of it, and how many instructions the longest tick took. Exit status 0 when all was well.
  */
 #include <math.h>
 #include <stdint.h>
