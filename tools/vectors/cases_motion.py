@@ -213,21 +213,26 @@ def plane_through_origin(fmt, rng, k):
     return case_inputs(fmt, points, turn(rng, some_angle(rng), k), some_travel(rng))
 
 
-def far_from_origin(fmt, rng, k):
-    offset = vector(rng, magnitude(rng, *fmt.pick((1e3, 1e6), (1e1, 1e3))), k)
-    points = rounded_points(fmt, random_triangle(rng), mpf(1), offset)
-    R = turn(rng, some_angle(rng), k)
-    travel = some_travel(rng)
-    if k % 2:  # about the body itself, not about the origin
-        travel = add(travel, subtract(offset, apply(R, offset)))
-    return case_inputs(fmt, points, R, travel)
+def far_from_origin(shape, inputs_of):
+    """Points of a random shape far away; for three points as for any number, which differ in how inputs are laid out."""
+
+    def build(fmt, rng, k):
+        offset = vector(rng, magnitude(rng, *fmt.pick((1e3, 1e6), (1e1, 1e3))), k)
+        points = rounded_points(fmt, shape(rng), mpf(1), offset)
+        R = turn(rng, some_angle(rng), k)
+        travel = some_travel(rng)
+        if k % 2:  # about the body itself, not about the origin
+            travel = add(travel, subtract(offset, apply(R, offset)))
+        return inputs_of(fmt, points, R, travel)
+
+    return build
 
 
-def scaled(band):
+def scaled(band, shape, inputs_of):
     def build(fmt, rng, k):
         scale = sampling.length(fmt, rng, band)
-        points = rounded_points(fmt, random_triangle(rng), scale, some_offset(rng))
-        return case_inputs(fmt, points, turn(rng, some_angle(rng), k), some_travel(rng, scale))
+        points = rounded_points(fmt, shape(rng), scale, some_offset(rng))
+        return inputs_of(fmt, points, turn(rng, some_angle(rng), k), some_travel(rng, scale))
 
     return build
 
@@ -395,9 +400,9 @@ def bands(fmt, rng):
         Band("axis_through_points", 24, about_a_side),
         Band("axis_in_plane", 20, axis_in_plane),
         Band("plane_through_origin", 20, plane_through_origin),
-        Band("far_from_origin", 28, far_from_origin),
-        Band("large", 20, scaled("large")),
-        Band("small_scale", 20, scaled("small")),
+        Band("far_from_origin", 28, far_from_origin(random_triangle, case_inputs)),
+        Band("large", 20, scaled("large", random_triangle, case_inputs)),
+        Band("small_scale", 20, scaled("small", random_triangle, case_inputs)),
         Band("equilateral", 16, equilateral),
         Band("permuted", 18, permuted()),
         Band("noisy", 18, noisy),

@@ -272,25 +272,6 @@ def of_extents(*ranges):
     return build
 
 
-def far_from_origin(fmt, rng, k):
-    offset = vector(rng, magnitude(rng, *fmt.pick((1e3, 1e6), (1e1, 1e3))), k)
-    points = rounded_points(fmt, round_cloud(rng), mpf(1), offset)
-    R = turn(rng, some_angle(rng), k)
-    travel = some_travel(rng)
-    if k % 2:  # about the body itself, not about the origin
-        travel = add(travel, subtract(offset, apply(R, offset)))
-    return case_inputs(fmt, points, R, travel)
-
-
-def scaled(band):
-    def build(fmt, rng, k):
-        scale = sampling.length(fmt, rng, band)
-        points = rounded_points(fmt, round_cloud(rng), scale, some_offset(rng))
-        return case_inputs(fmt, points, turn(rng, some_angle(rng), k), some_travel(rng, scale))
-
-    return build
-
-
 def noisy(least, most):
     def build(fmt, rng, k):
         points = rounded_points(fmt, round_cloud(rng), mpf(1), some_offset(rng))
@@ -413,9 +394,9 @@ def bands(fmt, rng):
         Band("flat", 20, of_extents(((0.5, 1), (0.5, 1)), thin), "nearly_flat"),
         Band("thin", 30, of_extents(thin, thin)),
         Band("ill_conditioned", 12, of_extents(((1e-6, 3e-5), (3e-3, 6e-3)), ((1e-6, 3e-5), (3e-3, 6e-3)))),
-        Band("far_from_origin", 24, far_from_origin),
-        Band("large", 16, scaled("large")),
-        Band("small_scale", 16, scaled("small")),
+        Band("far_from_origin", 24, cases_motion.far_from_origin(round_cloud, case_inputs)),
+        Band("large", 16, cases_motion.scaled("large", round_cloud, case_inputs)),
+        Band("small_scale", 16, cases_motion.scaled("small", round_cloud, case_inputs)),
         Band("noisy", 24, noisy(1e-5, 1e-2)),
         Band("noisy", 24, noisy(1e-2, 1), "very_noisy"),
         Band("mirrored", 24, mirrored),
