@@ -196,7 +196,7 @@ malformed '1s/C_z_m/C_z_mm/' 1 "the unit 'm' in all columns of marker C, found '
 malformed '1s/C_\(.\)_m/C_\1_mm/g' 1 "the unit 'm' of marker A for C as well, found 'mm'"
 malformed '1s/[ABC]_//g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'D'"
 malformed '1s/_\([xyz]\)_/ \1 /g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'A x m'"
-malformed '1,$d' 0 'a row of column names, found the end of the file'
+malformed '1,$d' 1 'a row of column names, found the end of the file'
 malformed '4s/,$//' 4 '14 cells, found 13'
 malformed '4s/$/,/' 4 '14 cells, found 15'
 malformed '3s/2/2 m/' 3 "a position in column 2: a number with a decimal point, found '2 m'"

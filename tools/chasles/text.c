@@ -68,7 +68,7 @@ static void print_found(const char *found) {
 enum text_result text_expected(const struct text *text, const char *found, const char *expected, ...) {
   va_list arguments;
   va_start(arguments, expected);
-  fprintf(stderr, "%s:%ld: expected ", text->name, text->line);
+  fprintf(stderr, "%s:%ld: expected ", text->name, text->line > 0 ? text->line : 1); /* 0 in an empty file */
   vfprintf(stderr, expected, arguments);
   fputs(", found ", stderr);
   print_found(found);

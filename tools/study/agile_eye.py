@@ -8,11 +8,10 @@ through the disc, and dotted where it lies in it.
 """
 
 import argparse
-import csv
 
 import matplotlib.pyplot as plt
 import numpy as np
-from figures import save
+from figures import Named, read_number, read_rows, save
 from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
 
@@ -22,11 +21,10 @@ PANELS = 4  # in a row
 
 
 def read(path):
-    """The columns of a CSV file by name; an empty cell is not a number."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    number = lambda text: float(text) if text else float("nan")
-    return {name: np.array([number(row[name]) for row in rows]) for name in rows[0] if name != "inside"}
+    """The columns of a CSV file by name."""
+    rows = read_rows(path)
+    names = [name for name in rows[0] if name != "inside"]
+    return Named(path, {name: np.array([read_number(path, row[name]) for row in rows]) for name in names})
 
 
 def disc(errors, sigma, name):

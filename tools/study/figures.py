@@ -1,15 +1,47 @@
-"""What the figures of this folder share: how they look, and how they are saved: small, and the same bytes on every run."""
+"""What the figures of this folder share: how their data is read, how they look, and how they are saved: small, and the
+same bytes on every run."""
 
 import base64
+import csv
 import io
 import os
 import re
+import sys
 
 import matplotlib
 from PIL import Image
 
 matplotlib.use("Agg")
 matplotlib.rcParams.update({"svg.hashsalt": "chasles", "svg.fonttype": "none", "font.size": 8, "axes.titlesize": 9})
+
+
+class Named(dict):
+    """What a CSV file has under the name of a column; another name ends the program with a message."""
+
+    def __init__(self, path, items):
+        super().__init__(items)
+        self.path = path
+
+    def __missing__(self, name):
+        sys.exit("%s: no column %s" % (self.path, name))
+
+
+def read_rows(path):
+    """The rows of a CSV file, at least one; what cannot be read ends the program with a message."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = [Named(path, row) for row in csv.DictReader(file)]
+    except (OSError, ValueError, csv.Error) as error:
+        sys.exit("%s: %s" % (path, getattr(error, "strerror", None) or error))
+    return rows or sys.exit("%s: no rows" % path)
+
+
+def read_number(path, text):
+    """An empty cell is not a number."""
+    try:
+        return float(text) if text else float("nan")
+    except ValueError:
+        sys.exit("%s: expected a number, found '%s'" % (path, text))
 
 
 def with_palette(png):

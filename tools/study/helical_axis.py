@@ -11,26 +11,25 @@ below --least-angle no axis is drawn. Gaps stay gaps.
 """
 
 import argparse
-import csv
+import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
-from figures import save
+from figures import read_number, read_rows, save
 
 HALF_LENGTH = 1.3  # of an axis as drawn, over the largest distance from the pivot
 
 
 def read(path):
     """Time, angle in radians, axis, a point of it, and the unit of length; a frame without a screw is not a number."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = read_rows(path)
     titles = list(rows[0])
-    number = lambda text: float(text) if text else float("nan")
-    column = lambda start: np.array([number(row[next(t for t in titles if t.startswith(start))]) for row in rows])
+    title = lambda start: next((t for t in titles if t.startswith(start)), start)
+    column = lambda start: np.array([read_number(path, row[title(start)]) for row in rows])
     vector = lambda name: np.column_stack([column(name + axis) for axis in ("_x", "_y", "_z")])
-    time = column(next(t for t in titles[1:] if t != "from"))
+    time = column(next((t for t in titles[1:] if t != "from"), "time"))
     angle = np.radians(column("angle_deg")) if "angle_deg" in titles else column("angle_rad")
-    unit = next(t for t in titles if t.startswith("point_x")).replace("point_x", "").strip("_")
+    unit = title("point_x").replace("point_x", "").strip("_")
     return time, angle, vector("axis"), vector("point"), unit
 
 
@@ -46,6 +45,8 @@ def phase_of(time, angle):
             share = (middle - angle[k - 1]) / (angle[k] - angle[k - 1])
             starts.append(time[k - 1] + share * (time[k] - time[k - 1]))
             armed = False
+    if len(starts) < 2:
+        sys.exit("the file holds no whole cycle of the angle")
     cycles = np.interp(time, starts, np.arange(len(starts)), left=np.nan, right=np.nan)
     return 100 * (cycles % 1), (starts[-1] - starts[0]) / (len(starts) - 1), len(starts) - 1
 
@@ -65,6 +66,8 @@ def draw(time, angle, axes, points, unit, least, title):
     phase, period, cycles = phase_of(time, angle)
     seen = (angle >= least) & np.isfinite(phase)
     axes, points = axes[seen], points[seen]
+    if len(axes) < 2:
+        sys.exit("at most one axis has an angle of --least-angle or more")
     mean = axes.sum(0) / np.linalg.norm(axes.sum(0))
     pivot = pivot_of(axes, points)
     feet = near(pivot, axes, points)

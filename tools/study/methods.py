@@ -7,11 +7,10 @@ independent noise), and the error of each method against the angle, which the pa
 """
 
 import argparse
-import csv
 import pathlib
 
 import matplotlib.pyplot as plt
-from figures import save
+from figures import read_rows, save
 
 STYLES = {
     "angeles": ("Angeles", "tab:purple", "v"),
@@ -27,11 +26,6 @@ MERITS = [
     (6, "a_3", "$a_3$: point A of the axis (unit of length)"),
     (7, "a_4", "$a_4$: final points (unit of length)"),
 ]
-
-
-def read(path):
-    with open(path, newline="", encoding="ascii") as file:
-        return list(csv.DictReader(file))
 
 
 def series(rows, x, y, **wanted):
@@ -91,8 +85,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, help="where to put the figures (default: the same directory)")
     arguments = parser.parse_args()
     out = arguments.out or arguments.directory
-    sensitivity(read(arguments.directory / "sensitivity.csv"), out)
-    angles(read(arguments.directory / "angles.csv"), out)
+    sensitivity(read_rows(arguments.directory / "sensitivity.csv"), out)
+    angles(read_rows(arguments.directory / "angles.csv"), out)
 
 
 if __name__ == "__main__":
