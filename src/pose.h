@@ -44,9 +44,24 @@ static inline void transform(const real T[12], const real x[3], real y[3]) {
   y[2] = c;
 }
 
-/* Writes a 3x3 block of a 6x6 matrix. */
-static inline void put_block(const real block[9], int row, int column, real M[36]) {
-  for (int i = 0; i < 3; i++) copy(block + 3 * i, 3, M + 6 * (row + i) + column);
+static inline void put_row(const real a[3], const real b[3], real row[6]) {
+  row[0] = a[0];
+  row[1] = a[1];
+  row[2] = a[2];
+  row[3] = b[0];
+  row[4] = b[1];
+  row[5] = b[2];
+}
+
+/* M = [A 0; C A], 6x6. */
+static inline void put_blocks(const real A[9], const real C[9], real M[36]) {
+  static const real zero[3] = {0};
+  put_row(A, zero, M);
+  put_row(A + 3, zero, M + 6);
+  put_row(A + 6, zero, M + 12);
+  put_row(C, A, M + 18);
+  put_row(C + 3, A + 3, M + 24);
+  put_row(C + 6, A + 6, M + 30);
 }
 
 #endif

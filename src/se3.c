@@ -5,16 +5,16 @@
 
 void FN(chs_se3_from_parts)(const real R[9], const real p[3], real T[16]) {
   real r[9], t[3];
-  copy(R, 9, r);
-  copy(p, 3, t);
+  copy9(R, r);
+  copy3(p, t);
   join(r, t, T);
 }
 
 void FN(chs_se3_to_parts)(const real T[16], real R[9], real p[3]) {
   real r[9], t[3];
   part(T, r, t);
-  copy(r, 9, R);
-  copy(t, 3, p);
+  copy9(r, R);
+  copy3(t, p);
 }
 
 void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
@@ -70,86 +70,70 @@ int FN(chs_se3_log)(const real T[16], real V[6]) {
   status = logarithm(R, w, &k);
   inverse_jacobian_times(w, k, p, v);
   if (!all_finite(v, 3)) return CHS_ERR_OVERFLOW;
-  copy(w, 3, V);
-  copy(v, 3, V + 3);
+  copy3(w, V);
+  copy3(v, V + 3);
   return status;
 }
 
+/* z = a x + b y */
+static inline void combine(real a, const real x[3], real b, const real y[3], real z[3]) {
+  z[0] = a * x[0] + b * y[0];
+  z[1] = a * x[1] + b * y[1];
+  z[2] = a * x[2] + b * y[2];
+}
+
 void FN(chs_se3_adjoint)(const real T[16], real Ad[36]) {
-  static const real zero[9] = {0};
   real R[9], p[3], pR[9];
   part(T, R, p);
-  for (int j = 0; j < 3; j++) {
-    real column[3] = {R[j], R[3 + j], R[6 + j]};
-    cross(p, column, column);
-    for (int i = 0; i < 3; i++) pR[3 * i + j] = column[i];
-  }
-  put_block(R, 0, 0, Ad);
-  put_block(zero, 0, 3, Ad);
-  put_block(pR, 3, 0, Ad);
-  put_block(R, 3, 3, Ad);
+  combine(p[1], R + 6, -p[2], R + 3, pR);
+  combine(p[2], R, -p[0], R + 6, pR + 3);
+  combine(p[0], R + 3, -p[1], R, pR + 6);
+  put_blocks(R, pR, Ad);
 }
 
 void FN(chs_se3_adjoint_inverse)(const real T[16], real Ad[36]) {
-  static const real zero[9] = {0};
-  real R[9], p[3], Rt[9], Rtp[9];
+  real R[9], p[3], Rtp[9];
   part(T, R, p);
-  for (int i = 0; i < 3; i++) {
-    /* Row i of -R^T [p] is p x (column i of R). */
-    real column[3] = {R[i], R[3 + i], R[6 + i]};
-    copy(column, 3, Rt + 3 * i);
-    cross(p, column, Rtp + 3 * i);
-  }
-  put_block(Rt, 0, 0, Ad);
-  put_block(zero, 0, 3, Ad);
-  put_block(Rtp, 3, 0, Ad);
-  put_block(Rt, 3, 3, Ad);
+  transpose(R, R);
+  /* Row i of -R^T [p] is p x (column i of R). */
+  cross(p, R, Rtp);
+  cross(p, R + 3, Rtp + 3);
+  cross(p, R + 6, Rtp + 6);
+  put_blocks(R, Rtp, Ad);
 }
 
-/* (x; y) <- (R x; R y + p x R x): a twist as it stands, a wrench with its halves exchanged. */
-static void carry(const real T[16], real x[3], real y[3]) {
-  real R[9], p[3], lever[3];
+/* (u; v) = (R x; R y + p x R x): a twist as it stands, a wrench with its halves exchanged. Inline, and nothing copied
+ * by a loop: what goes to the stack by numbers and comes back by vectors, or the other way, waits there for long. */
+static INLINE void carry(const real T[16], const real x[3], const real y[3], real u[3], real v[3]) {
+  real R[9], p[3], Rx[3], Ry[3], lever[3];
   part(T, R, p);
-  rotate(R, x, x);
-  rotate(R, y, y);
-  cross(p, x, lever);
-  for (int i = 0; i < 3; i++) y[i] += lever[i];
+  rotate(R, x, Rx);
+  rotate(R, y, Ry);
+  cross(p, Rx, lever);
+  add_to(Ry, lever);
+  copy3(Rx, u);
+  copy3(Ry, v);
 }
 
-/* (x; y) <- (R^T x; R^T (y - p x x)), the inverse of carry. */
-static void carry_back(const real T[16], real x[3], real y[3]) {
-  real R[9], p[3], lever[3];
+/* (u; v) = (R^T x; R^T (y - p x x)), the inverse of carry. */
+static INLINE void carry_back(const real T[16], const real x[3], const real y[3], real u[3], real v[3]) {
+  real R[9], p[3], Rtx[3], lever[3];
   part(T, R, p);
   cross(p, x, lever);
-  subtract(y, lever, y);
-  rotate_back(R, x, x);
-  rotate_back(R, y, y);
+  subtract(y, lever, lever);
+  rotate_back(R, x, Rtx);
+  rotate_back(R, lever, v);
+  copy3(Rtx, u);
 }
 
-void FN(chs_se3_adjoint_twist)(const real T[16], const real V[6], real U[6]) {
-  real u[6];
-  copy(V, 6, u);
-  carry(T, u, u + 3);
-  copy(u, 6, U);
-}
+void FN(chs_se3_adjoint_twist)(const real T[16], const real V[6], real U[6]) { carry(T, V, V + 3, U, U + 3); }
 
 void FN(chs_se3_adjoint_inverse_twist)(const real T[16], const real V[6], real U[6]) {
-  real u[6];
-  copy(V, 6, u);
-  carry_back(T, u, u + 3);
-  copy(u, 6, U);
+  carry_back(T, V, V + 3, U, U + 3);
 }
 
-void FN(chs_se3_adjoint_wrench)(const real T[16], const real F[6], real G[6]) {
-  real g[6];
-  copy(F, 6, g);
-  carry(T, g + 3, g);
-  copy(g, 6, G);
-}
+void FN(chs_se3_adjoint_wrench)(const real T[16], const real F[6], real G[6]) { carry(T, F + 3, F, G + 3, G); }
 
 void FN(chs_se3_adjoint_inverse_wrench)(const real T[16], const real F[6], real G[6]) {
-  real g[6];
-  copy(F, 6, g);
-  carry_back(T, g + 3, g);
-  copy(g, 6, G);
+  carry_back(T, F + 3, F, G + 3, G);
 }

@@ -6,8 +6,8 @@
 
 void FN(chs_se3_hat)(const real V[6], real M[16]) {
   real W[9], v[3];
-  FN(chs_so3_hat)(V, W);
-  copy(V + 3, 3, v);
+  hat(V, W);
+  copy3(V + 3, v);
   join(W, v, M);
   M[15] = 0;
 }
@@ -16,45 +16,32 @@ void FN(chs_se3_vee)(const real M[16], real V[6]) {
   real W[9], v[3];
   part(M, W, v);
   FN(chs_so3_vee)(W, V);
-  copy(v, 3, V + 3);
-}
-
-/* [A 0; C A] */
-static void put_blocks(const real A[9], const real C[9], real M[36]) {
-  static const real zero[9] = {0};
-  put_block(A, 0, 0, M);
-  put_block(zero, 0, 3, M);
-  put_block(C, 3, 0, M);
-  put_block(A, 3, 3, M);
+  copy3(v, V + 3);
 }
 
 void FN(chs_se3_ad)(const real V[6], real ad[36]) {
   real W[9], U[9];
-  FN(chs_so3_hat)(V, W);
-  FN(chs_so3_hat)(V + 3, U);
+  hat(V, W);
+  hat(V + 3, U);
   put_blocks(W, U, ad);
 }
 
-/* c = a x b + e x f */
-static void crosses(const real a[3], const real b[3], const real e[3], const real f[3], real c[3]) {
-  real x[3], y[3];
-  cross(a, b, x);
-  cross(e, f, y);
-  for (int i = 0; i < 3; i++) c[i] = x[i] + y[i];
+/* y = a x b, z = c x d + e x f */
+static INLINE void crosses(const real a[3], const real b[3], const real c[3], const real d[3], const real e[3],
+                           const real f[3], real y[3], real z[3]) {
+  real ab[3], cd[3], ef[3];
+  cross(a, b, ab);
+  cross(c, d, cd);
+  cross(e, f, ef);
+  add_to(cd, ef);
+  copy3(ab, y);
+  copy3(cd, z);
 }
 
-void FN(chs_se3_ad_twist)(const real V[6], const real U[6], real W[6]) {
-  real w[6];
-  cross(V, U, w);
-  crosses(V + 3, U, V, U + 3, w + 3);
-  copy(w, 6, W);
-}
+void FN(chs_se3_ad_twist)(const real V[6], const real U[6], real W[6]) { crosses(V, U, V + 3, U, V, U + 3, W, W + 3); }
 
 void FN(chs_se3_ad_wrench)(const real V[6], const real F[6], real G[6]) {
-  real g[6];
-  crosses(F, V, F + 3, V + 3, g);
-  cross(F + 3, V, g + 3);
-  copy(g, 6, G);
+  crosses(F + 3, V, F, V, F + 3, V + 3, G + 3, G);
 }
 
 /* Why a pose, with n more numbers, is none: the rotation first, but NaN before all. */

@@ -3,16 +3,7 @@
 #include "cofactors.h"
 #include "rotation.h"
 
-void FN(chs_so3_hat)(const real w[3], real W[9]) {
-  real x = w[0], y = w[1], z = w[2];
-  W[0] = W[4] = W[8] = 0;
-  W[1] = -z;
-  W[2] = y;
-  W[3] = z;
-  W[5] = -x;
-  W[6] = -y;
-  W[7] = x;
-}
+void FN(chs_so3_hat)(const real w[3], real W[9]) { hat(w, W); }
 
 /* (a - b) / 2, exactly a where b = -a, without overflow. */
 static real half_difference(real a, real b) { return a == -b ? a : K(0.5) * a - K(0.5) * b; }

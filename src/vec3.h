@@ -43,6 +43,19 @@ static inline void copy(const real *from, int n, real *to) {
   for (int i = 0; i < n; i++) to[i] = from[i];
 }
 
+/* Of what lies apart or is the same. */
+static inline void copy3(const real a[3], real b[3]) {
+  b[0] = a[0];
+  b[1] = a[1];
+  b[2] = a[2];
+}
+
+static inline void copy9(const real A[9], real B[9]) {
+  copy3(A, B);
+  copy3(A + 3, B + 3);
+  copy3(A + 6, B + 6);
+}
+
 /* y = R x, and y = R^T x; y may be x. */
 static inline void rotate(const real R[9], const real x[3], real y[3]) {
   real v0 = dot(R, x), v1 = dot(R + 3, x), v2 = dot(R + 6, x);
@@ -90,6 +103,18 @@ static inline void transpose(const real A[9], real B[9]) {
   B[6] = a2;
   B[7] = a5;
   B[8] = a8;
+}
+
+/* W = [w] */
+static inline void hat(const real w[3], real W[9]) {
+  real x = w[0], y = w[1], z = w[2];
+  W[0] = W[4] = W[8] = 0;
+  W[1] = -z;
+  W[2] = y;
+  W[3] = z;
+  W[5] = -x;
+  W[6] = -y;
+  W[7] = x;
 }
 
 static inline real largest(const real *v, int n) {
