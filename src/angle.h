@@ -7,6 +7,22 @@
 #include "vec3.h"
 #include <chasles/so3.h>
 
+#define on_grid(...) FN(chs_p_on_grid)(__VA_ARGS__)
+#define split_square_of(...) FN(chs_p_split_square_of)(__VA_ARGS__)
+#define squared_length(...) FN(chs_p_squared_length)(__VA_ARGS__)
+#define half_angle_within_pi(...) FN(chs_p_half_angle_within_pi)(__VA_ARGS__)
+#define within_pi(...) FN(chs_p_within_pi)(__VA_ARGS__)
+#define half_angle_of(...) FN(chs_p_half_angle_of)(__VA_ARGS__)
+#define sine_ratio(...) FN(chs_p_sine_ratio)(__VA_ARGS__)
+#define cosine_ratio(...) FN(chs_p_cosine_ratio)(__VA_ARGS__)
+#define cubic_ratio(...) FN(chs_p_cubic_ratio)(__VA_ARGS__)
+#define half_cotangent(...) FN(chs_p_half_cotangent)(__VA_ARGS__)
+#define versine_of(...) FN(chs_p_versine_of)(__VA_ARGS__)
+#define cosine_of(...) FN(chs_p_cosine_of)(__VA_ARGS__)
+#define sine_and_versine(...) FN(chs_p_sine_and_versine)(__VA_ARGS__)
+#define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
+#define signed_angle_of(...) FN(chs_p_signed_angle_of)(__VA_ARGS__)
+
 #ifdef CHS_SINGLE
 #define ANGLE_MAX CHS_ANGLE_MAXF
 #else
@@ -19,15 +35,15 @@ typedef struct split_square {
   real head, rest;
 } split_square;
 
-static inline real on_grid(real x) { return (x + GRID) - GRID; }
+SHARED real on_grid(real x) { return (x + GRID) - GRID; }
 
-static inline split_square split_square_of(real x) {
+SHARED split_square split_square_of(real x) {
   real g = on_grid(x);
   split_square square = {g * g, (x - g) * (x + g)};
   return square;
 }
 
-static inline split_square squared_length(const real w[3]) {
+SHARED split_square squared_length(const real w[3]) {
   real x = on_grid(w[0]), y = on_grid(w[1]), z = on_grid(w[2]);
   split_square square = {x * x + y * y + z * z,
                          (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z)};
@@ -46,7 +62,7 @@ typedef struct half_angle {
 
 /* From theta^2 up to a little above pi^2. The heads of s = 1/2 - p t, of its square and of c = 1 - q t are exact, so
  * that hardly more than the last rounding of each is lost. */
-static inline half_angle half_angle_within_pi(split_square square) {
+SHARED half_angle half_angle_within_pi(split_square square) {
   half_angle half;
   real head = square.head, rest = square.rest, t = head + rest, t2 = t * t, high = CHS_HIGH(t);
   real s_low = CHS_SINC_LOW(t), s_high = CHS_SINC_HIGH(t), c_low = CHS_COSINE_LOW(t), c_high = CHS_COSINE_HIGH(t);
@@ -64,9 +80,9 @@ static inline half_angle half_angle_within_pi(split_square square) {
 /* Angles above pi, and everything that is not an angle: CHS_OK, CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
 SELDOM int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half);
 
-static inline int within_pi(split_square square) { return square.head + square.rest <= CHS_PI_A * CHS_PI_A; }
+SHARED int within_pi(split_square square) { return square.head + square.rest <= CHS_PI_A * CHS_PI_A; }
 
-static inline int half_angle_of(const real w[3], half_angle *half) {
+SHARED int half_angle_of(const real w[3], half_angle *half) {
   split_square square = squared_length(w);
   if (within_pi(square)) {
     *half = half_angle_within_pi(square);
@@ -79,28 +95,28 @@ static inline int half_angle_of(const real w[3], half_angle *half) {
 }
 
 /* sin(theta)/theta, (1 - cos(theta))/theta^2, (theta - sin(theta))/theta^3 and (theta/2) cot(theta/2). */
-static inline real sine_ratio(half_angle h) { return (h.c + h.c) * h.s; }
-static inline real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
-static inline real cubic_ratio(half_angle h) { return h.cubic; }
-static inline real half_cotangent(half_angle h) { return K(0.5) * h.c / h.s; }
+SHARED real sine_ratio(half_angle h) { return (h.c + h.c) * h.s; }
+SHARED real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
+SHARED real cubic_ratio(half_angle h) { return h.cubic; }
+SHARED real half_cotangent(half_angle h) { return K(0.5) * h.c / h.s; }
 
 /* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to twice CHS_ANGLE_MAX. */
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine);
 
 /* 1 - cos(x) and cos(x) from s = sin(x/2) and c = cos(x/2), each from the smaller of the two squares. */
-static inline real versine_of(real s, real c) {
+SHARED real versine_of(real s, real c) {
   real ss = s * s, cc = c * c;
   return K(2.0) * (cc < ss ? K(1.0) - cc : ss);
 }
 
-static inline real cosine_of(real s, real c) {
+SHARED real cosine_of(real s, real c) {
   real ss = s * s, cc = c * c;
   return cc < ss ? K(2.0) * cc - K(1.0) : K(1.0) - K(2.0) * ss;
 }
 
 /* sin(q) and 1 - cos(q), by way of the half angle, which is in the kernels' range for |q| up to pi. False where q is no
  * angle or beyond ANGLE_MAX. */
-static inline int sine_and_versine(real q, real *sine, real *versine) {
+SHARED int sine_and_versine(real q, real *sine, real *versine) {
   real s, c;
   if (ABS(q) <= CHS_PI_A) {
     half_angle half = half_angle_within_pi(split_square_of(q));
@@ -122,7 +138,7 @@ typedef struct arc {
   int low;
 } arc;
 
-static inline arc arc_of(real y, real x) {
+SHARED arc arc_of(real y, real x) {
   int low = y <= K(0.5) * x, high = K(0.5) * y >= x;
   real c = high ? K(0.0) : K(1.0), s = low ? K(0.0) : K(1.0), eighths = (s - c) + K(1.0);
   real t = (c * y - s * x) / (c * x + s * y), u = t * t, p = u * CHS_ATAN_REST(u);
@@ -134,7 +150,7 @@ static inline arc arc_of(real y, real x) {
 real FN(chs_p_angle_of)(real y, real x);
 
 /* atan2(y, x) in [-pi, pi], the sign of y also where y is a zero. */
-static inline real signed_angle_of(real y, real x) {
+SHARED real signed_angle_of(real y, real x) {
   real angle = FN(chs_p_angle_of)(ABS(y), x);
   return y < 0 || (y == 0 && K(1.0) / y < 0) ? -angle : angle;
 }

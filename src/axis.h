@@ -4,9 +4,12 @@
 
 #include "vec3.h"
 
+#define per_radian(...) FN(chs_p_per_radian)(__VA_ARGS__)
+#define axis_of(...) FN(chs_p_axis_of)(__VA_ARGS__)
+
 /* e = omega/|omega| and w = v/|omega|, omega not 0, with all their digits whatever the size of either; the rate is
  * |omega|. What overflows is left to the caller. */
-static inline void per_radian(const real S[6], real e[3], real w[3], real *rate) {
+SHARED void per_radian(const real S[6], real e[3], real w[3], real *rate) {
   real scale = safe_to_square(largest(S, 3)), x[3], length;
   int enlarge = scale > 1 && largest(S + 3, 3) < 1;
   for (int i = 0; i < 3; i++) x[i] = scale * S[i];
@@ -19,7 +22,7 @@ static inline void per_radian(const real S[6], real e[3], real w[3], real *rate)
 }
 
 /* Likewise with w = m + h e, m the moment of the axis, at a right angle to e, and h the pitch. */
-static inline void axis_of(const real S[6], real e[3], real m[3], real *h) {
+SHARED void axis_of(const real S[6], real e[3], real m[3], real *h) {
   real rate, along;
   per_radian(S, e, m, &rate);
   along = dot(e, m);

@@ -8,6 +8,14 @@
 #include <chasles/chain.h>
 #include <chasles/se3.h>
 
+#define move(...) FN(chs_p_move)(__VA_ARGS__)
+#define frame_axis(...) FN(chs_p_frame_axis)(__VA_ARGS__)
+#define turn(...) FN(chs_p_turn)(__VA_ARGS__)
+#define turn_about(...) FN(chs_p_turn_about)(__VA_ARGS__)
+#define advance(...) FN(chs_p_advance)(__VA_ARGS__)
+#define get_column(...) FN(chs_p_get_column)(__VA_ARGS__)
+#define put_column(...) FN(chs_p_put_column)(__VA_ARGS__)
+
 #ifdef CHS_SINGLE
 typedef chs_chainf chain;
 #else
@@ -20,7 +28,7 @@ typedef struct place {
 } place;
 
 /* t <- t moved by (E, u) in its own frame. */
-static inline void move(place *t, const real E[9], const real u[3]) {
+SHARED void move(place *t, const real E[9], const real u[3]) {
   real step[3];
   rotate(t->R, u, step);
   for (int i = 0; i < 3; i++) t->p[i] += step[i];
@@ -28,7 +36,7 @@ static inline void move(place *t, const real E[9], const real u[3]) {
 }
 
 /* Which of its frame's axes omega is, of either sign: 0, 1, 2; 3 where it is zero; -1 otherwise. */
-static inline int frame_axis(const real w[3]) {
+SHARED int frame_axis(const real w[3]) {
   if (w[0] == 0) {
     if (w[1] == 0) return w[2] == 0 ? 3 : ABS(w[2]) == 1 ? 2 : -1;
     return w[2] == 0 && ABS(w[1]) == 1 ? 1 : -1;
@@ -37,7 +45,7 @@ static inline int frame_axis(const real w[3]) {
 }
 
 /* A turn by q about the axis k = i x j of t's frame, of a joint with the given v: two columns of R change. */
-static inline int turn(place *t, int i, int j, int k, real q, const real v[3]) {
+SHARED int turn(place *t, int i, int j, int k, real q, const real v[3]) {
   real sine, versine, u[3], step[3];
   if (!sine_and_versine(q, &sine, &versine)) return 0;
   u[i] = sine * v[i] - versine * v[j];
@@ -59,7 +67,7 @@ real FN(chs_p_exact_pitch)(const real S[6]);
 
 /* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
  * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-static inline int turn_about(place *t, real ww, real q, const real S[6]) {
+SHARED int turn_about(place *t, real ww, real q, const real S[6]) {
   real sine, versine, E[9], u[3], wxv[3], s[6], k = K(1.5) - K(0.5) * ww;
   if (!sine_and_versine(q, &sine, &versine)) return 0;
   for (int i = 0; i < 6; i++) s[i] = k * S[i];
@@ -76,7 +84,7 @@ static inline int turn_about(place *t, real ww, real q, const real S[6]) {
 int FN(chs_p_advance_by_exp)(place *t, const real S[6], real q);
 
 /* t <- t exp([S] q). False where q is out of range or something is no number; t is then of no use. */
-static inline int advance(place *t, const real S[6], real q) {
+SHARED int advance(place *t, const real S[6], real q) {
   int k = frame_axis(S);
   real v[3];
   if (k == 3) {
@@ -104,11 +112,11 @@ int FN(chs_p_why_no_walk)(const chain *c, const real *q);
 int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t);
 
 /* Column i of J, which is 6 x n. */
-static inline void get_column(const real *J, int n, int i, real column[6]) {
+SHARED void get_column(const real *J, int n, int i, real column[6]) {
   for (int row = 0; row < 6; row++) column[row] = J[n * row + i];
 }
 
-static inline void put_column(const real column[6], int n, int i, real *J) {
+SHARED void put_column(const real column[6], int n, int i, real *J) {
   for (int row = 0; row < 6; row++) J[n * row + i] = column[row];
 }
 

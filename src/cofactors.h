@@ -5,8 +5,10 @@
 #include "exact.h"
 #include "vec3.h"
 
+#define cofactors(...) FN(chs_p_cofactors)(__VA_ARGS__)
+
 /* C = cof(X), and its norm given that of X. */
-static inline real cofactors(const real X[9], real size, real C[9]) {
+SHARED real cofactors(const real X[9], real size, real C[9]) {
   cross(X + 3, X + 6, C);
   cross(X + 6, X, C + 3);
   cross(X, X + 3, C + 6);

@@ -6,6 +6,15 @@
 #include "exact.h"
 #include "rotation.h"
 
+#define check_line(...) FN(chs_p_check_line)(__VA_ARGS__)
+#define line_of(...) FN(chs_p_line_of)(__VA_ARGS__)
+#define point_of(...) FN(chs_p_point_of)(__VA_ARGS__)
+#define foot_on(...) FN(chs_p_foot_on)(__VA_ARGS__)
+#define normal_of(...) FN(chs_p_normal_of)(__VA_ARGS__)
+#define across(...) FN(chs_p_across)(__VA_ARGS__)
+#define between_lines(...) FN(chs_p_between_lines)(__VA_ARGS__)
+#define feet_of(...) FN(chs_p_feet_of)(__VA_ARGS__)
+
 /* The sine of lines that are parallel but for rounding. */
 #define ROUNDING (K(8.0) * EPS)
 
@@ -14,14 +23,14 @@ typedef struct line {
   real d[3], m[3];
 } line;
 
-static inline int check_line(const real L[6]) {
+SHARED int check_line(const real L[6]) {
   int status = finiteness(L, 6);
   if (status != CHS_OK) return status;
   return ABS(dot(L, L) - K(1.0)) <= (real)CHS_SO3_FAR ? CHS_OK : CHS_ERR_ARGUMENT;
 }
 
 /* One that has passed the check. */
-static inline line line_of(const real L[6]) {
+SHARED line line_of(const real L[6]) {
   line l;
   real h;
   axis_of(L, l.d, l.m, &h);
@@ -29,17 +38,17 @@ static inline line line_of(const real L[6]) {
 }
 
 /* Its point nearest to the origin. */
-static inline void point_of(const line *l, real p[3]) { cross(l->d, l->m, p); }
+SHARED void point_of(const line *l, real p[3]) { cross(l->d, l->m, p); }
 
 /* Its point nearest to x; foot may be x. */
-static inline void foot_on(const line *l, const real x[3], real foot[3]) {
+SHARED void foot_on(const line *l, const real x[3], real foot[3]) {
   real p[3], along = dot(l->d, x);
   point_of(l, p);
   for (int i = 0; i < 3; i++) foot[i] = p[i] + along * l->d[i];
 }
 
 /* The normal a x b of two directions and its length, to full precision also where they are nearly parallel. */
-static inline real normal_of(const real a[3], const real b[3], real n[3]) {
+SHARED real normal_of(const real a[3], const real b[3], real n[3]) {
   cross(a, b, n);
   if (dot(n, n) < K(0.25)) exact_cross(a, b, n);
   return norm(n, 3);
@@ -54,7 +63,7 @@ typedef struct between {
 } between;
 
 /* x across the line, as near as may be to the coordinate axis of the direction's smallest component. */
-static inline void across(const real d[3], real x[3]) {
+SHARED void across(const real d[3], real x[3]) {
   int k = 0;
   for (int i = 1; i < 3; i++) k = ABS(d[i]) < ABS(d[k]) ? i : k;
   for (int i = 0; i < 3; i++) x[i] = (i == k ? K(1.0) : K(0.0)) - d[k] * d[i];
@@ -63,7 +72,7 @@ static inline void across(const real d[3], real x[3]) {
 
 /* A and B have been checked. A sine up to `zero` counts as zero, and so does a distance (times the sine, where there is
  * one) up to that share of |m_a| + |m_b| + far. */
-static inline between between_lines(const real A[6], const real B[6], real zero, real far) {
+SHARED between between_lines(const real A[6], const real B[6], real zero, real far) {
   between r;
   real n[3], length = normal_of(A, B, n);
   r.a = line_of(A);
@@ -97,7 +106,7 @@ static inline between between_lines(const real A[6], const real B[6], real zero,
 }
 
 /* Where the perpendicular meets the lines: t along each from its point nearest to the origin (eq. 8). */
-static inline void feet_of(const between *r, real foot_a[3], real foot_b[3]) {
+SHARED void feet_of(const between *r, real foot_a[3], real foot_b[3]) {
   point_of(&r->a, foot_a);
   if (r->status == CHS_PARALLEL || r->status == CHS_COINCIDENT) {
     for (int i = 0; i < 3; i++) foot_b[i] = foot_a[i] + (r->status == CHS_PARALLEL ? r->distance * r->x[i] : K(0.0));

@@ -12,12 +12,14 @@
 
 #include "vec3.h"
 
+#define augment(...) FN(chs_p_augment)(__VA_ARGS__)
+
 /* x = A^-1 b and det A by elimination with row interchanges; (A b) is 6 x 7 and is overwritten. Returns the least pivot
  * relative to the largest entry of its column: 0, and no x, where a column is 0 or a combination of those before it. */
 real FN(chs_p_eliminate)(real Ab[42], real x[6], real *determinant);
 
 /* (A b), the last three rows of J and V times a factor. */
-static inline void augment(const real J[36], const real V[6], real factor, real Ab[42]) {
+SHARED void augment(const real J[36], const real V[6], real factor, real Ab[42]) {
   for (int row = 0; row < 6; row++) {
     real f = row < 3 ? K(1.0) : factor;
     for (int j = 0; j < 6; j++) Ab[7 * row + j] = f * J[6 * row + j];

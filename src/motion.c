@@ -185,6 +185,16 @@ static INLINE void write_plain(const triangles *t, const quaternion *q, screw *o
   if (T) write_pose(t, q, vv + ww, T);
 }
 
+int FN(chs_p_finish_translation)(const real travel[3], screw *out, real T[16]) {
+  static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  screw s;
+  int status = screw_of_translation(travel, &s);
+  if (!is_finite(s.translation)) return CHS_ERR_OVERFLOW;
+  if (out) *out = s;
+  if (T) join(identity, travel, T);
+  return status;
+}
+
 /* What all methods do once the rotation is known: the screw, the pose, and what is special about them. */
 static int finish(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x,
                   quaternion *q, screw *out, real T[16]) {
@@ -197,7 +207,7 @@ static int finish(const real initial[9], const real final[9], real tolerance, tr
     int status = examine(initial, final, tolerance, t, x);
     if (status != CHS_OK) return status;
   }
-  if (x->turned <= x->noise || n == 0) return finish_translation(t->travel, out, T);
+  if (x->turned <= x->noise || n == 0) return FN(chs_p_finish_translation)(t->travel, out, T);
   if (q->w < 0) negate(q);
   real condition = x->longest * x->longest / x->doubled, zone = K(8.0) * EPS * condition;
   int half_turn = q->w <= zone * n;

@@ -354,7 +354,7 @@ static real relative_square(const cloud *c, const best_rotation *best) {
 static int displace(const cloud *c, best_rotation *best, screw *out, real T[16]) {
   quaternion *q = &best->q;
   real R[9], p[3], turned[3], n = norm(q->v, 3), zone = K(8.0) * EPS * best->condition;
-  if (n <= best->condition * EPS * q->w) return finish_translation(c->travel, out, T);
+  if (n <= best->condition * EPS * q->w) return FN(chs_p_finish_translation)(c->travel, out, T);
   int half_turn = q->w <= zone * n;
   screw s;
   settle_half_turn(q, zone, n);

@@ -4,7 +4,13 @@
 
 #include "vec3.h"
 
-static inline void part(const real T[16], real R[9], real p[3]) {
+#define part(...) FN(chs_p_part)(__VA_ARGS__)
+#define join(...) FN(chs_p_join)(__VA_ARGS__)
+#define transform(...) FN(chs_p_transform)(__VA_ARGS__)
+#define put_row(...) FN(chs_p_put_row)(__VA_ARGS__)
+#define put_blocks(...) FN(chs_p_put_blocks)(__VA_ARGS__)
+
+SHARED void part(const real T[16], real R[9], real p[3]) {
   R[0] = T[0];
   R[1] = T[1];
   R[2] = T[2];
@@ -19,7 +25,7 @@ static inline void part(const real T[16], real R[9], real p[3]) {
   p[2] = T[11];
 }
 
-static inline void join(const real R[9], const real p[3], real T[16]) {
+SHARED void join(const real R[9], const real p[3], real T[16]) {
   T[0] = R[0];
   T[1] = R[1];
   T[2] = R[2];
@@ -37,14 +43,14 @@ static inline void join(const real R[9], const real p[3], real T[16]) {
 }
 
 /* y = R x + p; y may be x. */
-static inline void transform(const real T[12], const real x[3], real y[3]) {
+SHARED void transform(const real T[12], const real x[3], real y[3]) {
   real a = dot(T, x) + T[3], b = dot(T + 4, x) + T[7], c = dot(T + 8, x) + T[11];
   y[0] = a;
   y[1] = b;
   y[2] = c;
 }
 
-static inline void put_row(const real a[3], const real b[3], real row[6]) {
+SHARED void put_row(const real a[3], const real b[3], real row[6]) {
   row[0] = a[0];
   row[1] = a[1];
   row[2] = a[2];
@@ -54,7 +60,7 @@ static inline void put_row(const real a[3], const real b[3], real row[6]) {
 }
 
 /* M = [A 0; C A], 6x6. */
-static inline void put_blocks(const real A[9], const real C[9], real M[36]) {
+SHARED void put_blocks(const real A[9], const real C[9], real M[36]) {
   static const real zero[3] = {0};
   put_row(A, zero, M);
   put_row(A + 3, zero, M + 6);

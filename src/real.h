@@ -25,14 +25,28 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* For the few functions that are worth their copies where they are called, and for those that should neither lie nor
- * take stack in the way of the ordinary case. */
-#if defined(__GNUC__)
+/* INLINE is for the few functions that are worth their copies where they are called, but not where size counts (-Os, as
+ * gcc and clang tell); SELDOM for those that should neither lie nor take stack in the way of the ordinary case. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define INLINE inline __attribute__((always_inline))
-#define SELDOM __attribute__((noinline, cold))
 #else
 #define INLINE inline
+#endif
+#if defined(__GNUC__)
+#define SELDOM __attribute__((noinline, cold))
+#else
 #define SELDOM
+#endif
+
+/* What a private header defines, under a name with the library's prefix: #define norm(...) FN(chs_p_norm)(__VA_ARGS__).
+ * Where speed counts, each source has its own to inline. Where size does, C99's inline lets a call go to the only one in
+ * the library, which kernels.c defines; so these functions may use nothing that is static. */
+#if defined(DEFINE_SHARED)
+#define SHARED extern inline
+#elif defined(__OPTIMIZE_SIZE__) && !defined(__GNUC_GNU_INLINE__)
+#define SHARED inline
+#else
+#define SHARED static inline
 #endif
 
 #ifdef CHS_SINGLE

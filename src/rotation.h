@@ -7,6 +7,22 @@
 #include "vec3.h"
 #include <chasles/so3.h>
 
+#define offsets(...) FN(chs_p_offsets)(__VA_ARGS__)
+#define check_rotation(...) FN(chs_p_check_rotation)(__VA_ARGS__)
+#define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
+#define negate(...) FN(chs_p_negate)(__VA_ARGS__)
+#define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
+#define quaternion_of(...) FN(chs_p_quaternion_of)(__VA_ARGS__)
+#define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
+#define rotation_from_half_angle(...) FN(chs_p_rotation_from_half_angle)(__VA_ARGS__)
+#define jacobian_times(...) FN(chs_p_jacobian_times)(__VA_ARGS__)
+#define cotangent_ratio(...) FN(chs_p_cotangent_ratio)(__VA_ARGS__)
+#define rotation_from_quaternion(...) FN(chs_p_rotation_from_quaternion)(__VA_ARGS__)
+#define rotation_vector_of(...) FN(chs_p_rotation_vector_of)(__VA_ARGS__)
+#define logarithm_of(...) FN(chs_p_logarithm_of)(__VA_ARGS__)
+#define logarithm(...) FN(chs_p_logarithm)(__VA_ARGS__)
+#define inverse_jacobian_times(...) FN(chs_p_inverse_jacobian_times)(__VA_ARGS__)
+
 /* (v; w) proportional to (sin(theta/2) e; cos(theta/2)), of any length, w >= 0: theta in [0, pi] needs no division. */
 typedef struct quaternion {
   real v[3], w;
@@ -14,7 +30,7 @@ typedef struct quaternion {
 } quaternion;
 
 /* What is 0 in a rotation: r1.r1 - 1, r2.r2 - 1, r1.r2 and r3 - r1 x r2, r the rows. */
-static inline void offsets(const real R[9], real off[6]) {
+SHARED void offsets(const real R[9], real off[6]) {
   off[0] = dot(R, R) - K(1.0);
   off[1] = dot(R + 3, R + 3) - K(1.0);
   off[2] = dot(R, R + 3);
@@ -30,7 +46,7 @@ real FN(chs_p_deviation)(const real R[9]);
 SELDOM int FN(chs_p_rotation_status)(const real R[9], real tolerance);
 
 /* R is near enough to a rotation to be read as one; otherwise the status says why not. */
-static inline int check_rotation(const real R[9]) {
+SHARED int check_rotation(const real R[9]) {
   const real far = (real)CHS_SO3_FAR;
   real off[6];
   offsets(R, off);
@@ -39,20 +55,20 @@ static inline int check_rotation(const real R[9]) {
 }
 
 /* Of two statuses, the one that counts: NaN before infinity before anything else that is wrong. */
-static inline int first_error(int a, int b) {
+SHARED int first_error(int a, int b) {
   if (a == CHS_OK || b == CHS_OK) return a == CHS_OK ? b : a;
   return a > b ? a : b;
 }
 
 /* The other quaternion of the same rotation. */
-static inline void negate(quaternion *q) {
+SHARED void negate(quaternion *q) {
   for (int i = 0; i < 3; i++) q->v[i] = -q->v[i];
   q->w = -q->w;
 }
 
 /* At a half-turn the axis has no sign of its own: its first non-zero component is made positive. An angle counts as a
  * half-turn when pi - theta <= 2 zone; components count as zero up to zone times the length. */
-static inline void settle_half_turn(quaternion *q, real zone, real length) {
+SHARED void settle_half_turn(quaternion *q, real zone, real length) {
   if (q->w > zone * length) return;
   for (int i = 0; i < 3; i++) {
     if (ABS(q->v[i]) <= zone * length) continue;
@@ -63,7 +79,7 @@ static inline void settle_half_turn(quaternion *q, real zone, real length) {
 
 /* The quaternion of a matrix near a rotation: the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
  * 1978). It agrees with that of the nearest rotation to a fraction of the matrix's own rounding errors. */
-static inline quaternion quaternion_of(const real R[9]) {
+SHARED quaternion quaternion_of(const real R[9]) {
   real dx = K(1.0) - R[0], dy = K(1.0) - R[4], dz = K(1.0) - R[8], d = dx + dy + dz;
   real ww = K(4.0) - d, xx = (dy + dz) - dx, yy = (dx + dz) - dy, zz = (dx + dy) - dz;
   real wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
@@ -81,7 +97,7 @@ static inline quaternion quaternion_of(const real R[9]) {
 /* R = I + a [w] + 2 ss [w]^2 with a = sin(theta)/|w|, ss = (sin(theta/2)/|w|)^2 and cc = cos(theta/2)^2. The diagonal
  * is cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may
  * be w: all of w is read before R is written. */
-static inline void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
+SHARED void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
   real kx = ss * w[0], ky = ss * w[1], kz = ss * w[2];
   real xx = kx * w[0], yy = ky * w[1], zz = kz * w[2];
   real bx = kx + kx, by = ky + ky;
@@ -99,12 +115,12 @@ static inline void rotation_from(const real w[3], real a, real ss, real cc, real
   R[7] = yz + ax;
 }
 
-static inline void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
+SHARED void rotation_from_half_angle(const real w[3], half_angle h, real R[9]) {
   rotation_from(w, sine_ratio(h), h.ss, h.c * h.c, R);
 }
 
 /* p = J_l(w) v. */
-static inline void jacobian_times(const real w[3], half_angle h, const real v[3], real p[3]) {
+SHARED void jacobian_times(const real w[3], half_angle h, const real v[3], real p[3]) {
   real a = sine_ratio(h), b = cosine_ratio(h), c = cubic_ratio(h) * dot(w, v), wxv[3];
   cross(w, v, wxv);
   p[0] = a * v[0] + (b * wxv[0] + c * w[0]);
@@ -113,10 +129,10 @@ static inline void jacobian_times(const real w[3], half_angle h, const real v[3]
 }
 
 /* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */
-static inline real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
+SHARED real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
 
 /* The rotation of a quaternion of squared length nn. */
-static inline void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
+SHARED void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
   real scale = K(2.0) / nn, x = scale * q->v[0], y = scale * q->v[1], z = scale * q->v[2];
   real xx = x * q->v[0], yy = y * q->v[1], zz = z * q->v[2];
   real xy = x * q->v[1], xz = x * q->v[2], yz = y * q->v[2];
@@ -134,7 +150,7 @@ static inline void rotation_from_quaternion(const quaternion *q, real nn, real R
 
 /* w = v theta / n, n = |v|, as a power of two times v plus a small multiple of v: what remains to be rounded is small.
  * Also k = (theta/2) cot(theta/2). */
-static inline void rotation_vector_of(const quaternion *q, real n, real w[3], real *k) {
+SHARED void rotation_vector_of(const quaternion *q, real n, real w[3], real *k) {
   arc a = arc_of(n, q->w);
   real whole = n < q->w ? K(0.25) : K(0.5);
   real over = a.low ? q->w : n, small = a.low ? K(0.25) * q->short_of_4 + a.p : (a.base - whole * n) + a.rest;
@@ -146,7 +162,7 @@ static inline void rotation_vector_of(const quaternion *q, real n, real w[3], re
 }
 
 /* The rotation vector of a quaternion, k as above, and CHS_OK or CHS_HALF_TURN. */
-static inline int logarithm_of(quaternion q, real w[3], real *k) {
+SHARED int logarithm_of(quaternion q, real w[3], real *k) {
   real n = SQRT(dot(q.v, q.v));
   settle_half_turn(&q, 0, n);
   rotation_vector_of(&q, n, w, k);
@@ -154,10 +170,10 @@ static inline int logarithm_of(quaternion q, real w[3], real *k) {
 }
 
 /* That of a matrix that has been checked. */
-static inline int logarithm(const real R[9], real w[3], real *k) { return logarithm_of(quaternion_of(R), w, k); }
+SHARED int logarithm(const real R[9], real w[3], real *k) { return logarithm_of(quaternion_of(R), w, k); }
 
 /* v = J_l(w)^-1 p, k as above. */
-static inline void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {
+SHARED void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {
   real d = cotangent_ratio(k, dot(w, w)) * dot(w, p), wxp[3];
   cross(w, p, wxp);
   v[0] = k * p[0] + (d * w[0] - K(0.5) * wxp[0]);

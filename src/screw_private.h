@@ -5,6 +5,10 @@
 #include "rotation.h"
 #include <chasles/screw.h>
 
+#define screw_of_translation(...) FN(chs_p_screw_of_translation)(__VA_ARGS__)
+#define screw_through(...) FN(chs_p_screw_through)(__VA_ARGS__)
+#define screw_of_rotation(...) FN(chs_p_screw_of_rotation)(__VA_ARGS__)
+
 #ifdef CHS_SINGLE
 typedef chs_screwf screw;
 #else
@@ -12,7 +16,7 @@ typedef chs_screw screw;
 #endif
 
 /* The screw of a displacement without rotation: CHS_PURE_TRANSLATION, or CHS_NO_MOTION along a conventional z axis. */
-static inline int screw_of_translation(const real p[3], screw *s) {
+SHARED int screw_of_translation(const real p[3], screw *s) {
   real length = norm(p, 3);
   unit(p, s->axis);
   if (length == 0) s->axis[2] = 1;
@@ -24,8 +28,8 @@ static inline int screw_of_translation(const real p[3], screw *s) {
 
 /* Axis, point and translation of the screw that turns about the direction v and takes the point `from` to `from +
  * travel`, by eq. 10 and 24 of Fenton & Shi 1990: e = scale v is a unit vector, cotangent that of half the angle. */
-static inline void screw_through(const real from[3], const real travel[3], const real v[3], real scale, real cotangent,
-                                 screw *s) {
+SHARED void screw_through(const real from[3], const real travel[3], const real v[3], real scale, real cotangent,
+                          screw *s) {
   real x = scale * v[0] + K(0.0), y = scale * v[1] + K(0.0), z = scale * v[2] + K(0.0);
   real mx = from[0] + K(0.5) * travel[0], my = from[1] + K(0.5) * travel[1], mz = from[2] + K(0.5) * travel[2];
   real along = x * mx + y * my + z * mz, half = K(0.5) * cotangent;
@@ -40,7 +44,7 @@ static inline void screw_through(const real from[3], const real travel[3], const
 
 /* The screw of the rotation q, of vector length n > 0, that takes the point `from` to `from + travel` (Fenton & Shi
  * 1990, eq. 10 and 24). False where the axis lies beyond the range of the format. */
-static inline int screw_of_rotation(const quaternion *q, real n, const real from[3], const real travel[3], screw *s) {
+SHARED int screw_of_rotation(const quaternion *q, real n, const real from[3], const real travel[3], screw *s) {
   real e[3];
   unit(q->v, e);
   screw_through(from, travel, e, 1, q->w / n, s);
