@@ -1,5 +1,21 @@
 #include <chasles/array.h>
 
+/* Ordinary elements go through in blocks, number by number, in loops over the elements of a block without a branch: that
+ * is what compilers turn into vector instructions. Where the processor has none, or size counts, one element after the
+ * other is faster, smaller, and takes less stack. */
+#if !defined(__OPTIMIZE_SIZE__) && (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON) || \
+                                    defined(_M_ARM64) || defined(__VSX__) || defined(__riscv_vector))
+#define VECTORS 1
+#else
+#define VECTORS 0
+#endif
+
+/* What gcc does only at -O3, or never as long as it thinks that somebody looks at errno or at the flags of floating
+ * point, for then it keeps selects apart as branches. Before the headers, so that their functions can be inlined. */
+#if VECTORS && defined(__OPTIMIZE__) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("O3", "no-trapping-math", "no-math-errno")
+#endif
+
 #include <chasles/se3.h>
 #include <chasles/tilt.h>
 
@@ -8,107 +24,140 @@
 
 enum { LANES = 16 };
 
+typedef struct block {
+  real x[12][LANES];  /* the inputs, then the results */
+  real margin[LANES]; /* positive where the results are those of the single function, which answers CHS_OK */
+} block;
+
 /* The answer to several elements: the first error, else the first positive status. */
 typedef struct answers {
   int *each, worst;
 } answers;
 
-static void note(answers *a, size_t i, int status) {
+static INLINE void note(answers *a, size_t i, int status) {
   if (a->each) a->each[i] = status;
   if (a->worst >= 0 && status != CHS_OK && (status < 0 || a->worst == CHS_OK)) a->worst = status;
 }
 
-static int lanes_left(size_t n, size_t i) { return n - i < LANES ? (int)(n - i) : LANES; }
-
-/* in[k][lane] = number k of element `lane`; zeros for what is missing from a full block. */
-static void gather(const real *from, size_t stride, int count, int size, real in[][LANES]) {
+/* Zeros for what is missing from a full block. */
+static INLINE void gather(const real *from, size_t stride, int size, int count, real x[][LANES]) {
   for (int lane = 0; lane < LANES; lane++)
-    for (int k = 0; k < size; k++) in[k][lane] = lane < count ? from[(size_t)lane * stride + (size_t)k] : K(0.0);
+    for (int k = 0; k < size; k++) x[k][lane] = lane < count ? from[(size_t)lane * stride + (size_t)k] : K(0.0);
+}
+
+/* The last row of a pose is always the same. */
+static INLINE void scatter(real x[][LANES], int size, int lane, real *to) {
+  for (int k = 0; k < size; k++) to[k] = k < 12 ? x[k][lane] : k < 15 ? K(0.0) : K(1.0);
+}
+
+typedef void kernel(block *b);
+typedef int single(const real *in, real *out);
+
+/* Each element by the kernel where it is ordinary, else by the single function. */
+static INLINE int for_all(size_t n, const real *x, size_t x_stride, int inputs, real *y, size_t y_stride, int outputs,
+                          int *statuses, kernel *ordinary, single *any) {
+  answers all = {statuses, CHS_OK};
+  for (size_t i = 0; i < n; i += LANES) {
+    block b;
+    int count = n - i < LANES ? (int)(n - i) : LANES;
+    if (VECTORS) {
+      gather(x + i * x_stride, x_stride, inputs, count, b.x);
+      ordinary(&b);
+    }
+    for (int lane = 0; lane < count; lane++) {
+      size_t at = i + (size_t)lane;
+      real *to = y + at * y_stride;
+      int status = CHS_OK;
+      if (VECTORS && b.margin[lane] > 0)
+        scatter(b.x, outputs, lane, to);
+      else
+        status = any(x + at * x_stride, to);
+      note(&all, at, status);
+    }
+  }
+  return all.worst;
+}
+
+/* Three numbers of a lane, from number `first`. */
+static INLINE void put(block *b, int lane, int first, const real x[3]) {
+  b->x[first][lane] = x[0];
+  b->x[first + 1][lane] = x[1];
+  b->x[first + 2][lane] = x[2];
+}
+
+static void so3_exp(block *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real w[3] = {b->x[0][lane], b->x[1][lane], b->x[2][lane]}, R[9];
+    half_angle half = half_angle_within_pi(squared_length(w));
+    rotation_from_half_angle(w, half, R);
+    put(b, lane, 0, R);
+    put(b, lane, 3, R + 3);
+    put(b, lane, 6, R + 6);
+    b->margin[lane] = CHS_PI_A * CHS_PI_A - half.tt;
+  }
+}
+
+static void se3_exp(block *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real w[3] = {b->x[0][lane], b->x[1][lane], b->x[2][lane]}, R[9];
+    real v[3] = {b->x[3][lane], b->x[4][lane], b->x[5][lane]}, p[3];
+    half_angle half = half_angle_within_pi(squared_length(w));
+    rotation_from_half_angle(w, half, R);
+    jacobian_times(w, half, v, p);
+    put(b, lane, 0, R);
+    b->x[3][lane] = p[0];
+    put(b, lane, 4, R + 3);
+    b->x[7][lane] = p[1];
+    put(b, lane, 8, R + 6);
+    b->x[11][lane] = p[2];
+    /* A translation beyond the format's range makes a NaN here. */
+    b->margin[lane] = CHS_PI_A * CHS_PI_A - half.tt - (K(0.0) * p[0] + K(0.0) * p[1] + K(0.0) * p[2]);
+  }
+}
+
+static void so3_log(block *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real R[9] = {b->x[0][lane], b->x[1][lane], b->x[2][lane], b->x[3][lane], b->x[4][lane],
+                 b->x[5][lane], b->x[6][lane], b->x[7][lane], b->x[8][lane]};
+    real w[3], k;
+    quaternion q = quaternion_of(R);
+    real length = SQRT(dot(q.v, q.v)), off = sum_of_offsets(R), margin = q.w - EPS * length;
+    rotation_vector_of(&q, length, w, &k);
+    put(b, lane, 0, w);
+    b->margin[lane] = off <= (real)CHS_SO3_FAR ? margin : K(0.0);
+  }
+}
+
+static void se3_log(block *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real R[9] = {b->x[0][lane], b->x[1][lane], b->x[2][lane], b->x[4][lane], b->x[5][lane],
+                 b->x[6][lane], b->x[8][lane], b->x[9][lane], b->x[10][lane]};
+    real p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3], k;
+    quaternion q = quaternion_of(R);
+    real length = SQRT(dot(q.v, q.v)), off = sum_of_offsets(R), margin = q.w - EPS * length;
+    rotation_vector_of(&q, length, w, &k);
+    inverse_jacobian_times(w, k, p, v);
+    put(b, lane, 0, w);
+    put(b, lane, 3, v);
+    margin -= K(0.0) * v[0] + K(0.0) * v[1] + K(0.0) * v[2];
+    b->margin[lane] = off <= (real)CHS_SO3_FAR ? margin : K(0.0);
+  }
 }
 
 int FN(chs_so3_exp_array)(size_t n, const real *w, size_t w_stride, real *R, size_t R_stride, int *statuses) {
-  answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i += LANES) {
-    real in[3][LANES], out[9][LANES], *tt = in[0]; /* that of a lane once its input is used */
-    int count = lanes_left(n, i);
-    gather(w + i * w_stride, w_stride, count, 3, in);
-    for (int lane = 0; lane < LANES; lane++) {
-      real x[3] = {in[0][lane], in[1][lane], in[2][lane]}, r[9];
-      half_angle half = half_angle_within_pi(squared_length(x));
-      rotation_from_half_angle(x, half, r);
-      out[0][lane] = r[0];
-      out[1][lane] = r[1];
-      out[2][lane] = r[2];
-      out[3][lane] = r[3];
-      out[4][lane] = r[4];
-      out[5][lane] = r[5];
-      out[6][lane] = r[6];
-      out[7][lane] = r[7];
-      out[8][lane] = r[8];
-      tt[lane] = half.tt;
-    }
-    for (int lane = 0; lane < count; lane++) {
-      real *to = R + (i + (size_t)lane) * R_stride;
-      if (tt[lane] <= CHS_PI_A * CHS_PI_A) {
-        for (int k = 0; k < 9; k++) to[k] = out[k][lane];
-        note(&all, i + (size_t)lane, CHS_OK);
-      } else
-        note(&all, i + (size_t)lane, FN(chs_so3_exp)(w + (i + (size_t)lane) * w_stride, to));
-    }
-  }
-  return all.worst;
+  return for_all(n, w, w_stride, 3, R, R_stride, 9, statuses, so3_exp, FN(chs_so3_exp));
 }
 
 int FN(chs_se3_exp_array)(size_t n, const real *V, size_t V_stride, real *T, size_t T_stride, int *statuses) {
-  answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i += LANES) {
-    real in[6][LANES], out[12][LANES], *tt = in[0];
-    int count = lanes_left(n, i);
-    gather(V + i * V_stride, V_stride, count, 6, in);
-    for (int lane = 0; lane < LANES; lane++) {
-      real w[3] = {in[0][lane], in[1][lane], in[2][lane]}, v[3] = {in[3][lane], in[4][lane], in[5][lane]}, r[9], p[3];
-      half_angle half = half_angle_within_pi(squared_length(w));
-      rotation_from_half_angle(w, half, r);
-      jacobian_times(w, half, v, p);
-      out[0][lane] = r[0];
-      out[1][lane] = r[1];
-      out[2][lane] = r[2];
-      out[3][lane] = p[0];
-      out[4][lane] = r[3];
-      out[5][lane] = r[4];
-      out[6][lane] = r[5];
-      out[7][lane] = p[1];
-      out[8][lane] = r[6];
-      out[9][lane] = r[7];
-      out[10][lane] = r[8];
-      out[11][lane] = p[2];
-      /* A translation beyond the format's range makes a NaN here, which is not within pi. */
-      tt[lane] = half.tt + (K(0.0) * p[0] + K(0.0) * p[1] + K(0.0) * p[2]);
-    }
-    for (int lane = 0; lane < count; lane++) {
-      real *to = T + (i + (size_t)lane) * T_stride;
-      if (tt[lane] <= CHS_PI_A * CHS_PI_A) {
-        for (int k = 0; k < 12; k++) to[k] = out[k][lane];
-        to[12] = to[13] = to[14] = 0;
-        to[15] = 1;
-        note(&all, i + (size_t)lane, CHS_OK);
-      } else
-        note(&all, i + (size_t)lane, FN(chs_se3_exp)(V + (i + (size_t)lane) * V_stride, to));
-    }
-  }
-  return all.worst;
+  return for_all(n, V, V_stride, 6, T, T_stride, 16, statuses, se3_exp, FN(chs_se3_exp));
 }
 
 int FN(chs_so3_log_array)(size_t n, const real *R, size_t R_stride, real *w, size_t w_stride, int *statuses) {
-  answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i++) note(&all, i, FN(chs_so3_log)(R + i * R_stride, w + i * w_stride));
-  return all.worst;
+  return for_all(n, R, R_stride, 9, w, w_stride, 3, statuses, so3_log, FN(chs_so3_log));
 }
 
 int FN(chs_se3_log_array)(size_t n, const real *T, size_t T_stride, real *V, size_t V_stride, int *statuses) {
-  answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i++) note(&all, i, FN(chs_se3_log)(T + i * T_stride, V + i * V_stride));
-  return all.worst;
+  return for_all(n, T, T_stride, 12, V, V_stride, 6, statuses, se3_log, FN(chs_se3_log));
 }
 
 void FN(chs_se3_compose_array)(size_t n, const real *A, size_t A_stride, const real *B, size_t B_stride, real *C,

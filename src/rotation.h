@@ -8,6 +8,7 @@
 #include <chasles/so3.h>
 
 #define offsets(...) FN(chs_p_offsets)(__VA_ARGS__)
+#define sum_of_offsets(...) FN(chs_p_sum_of_offsets)(__VA_ARGS__)
 #define check_rotation(...) FN(chs_p_check_rotation)(__VA_ARGS__)
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
@@ -45,13 +46,17 @@ real FN(chs_p_deviation)(const real R[9]);
 /* Why R is no rotation to within the tolerance: CHS_ERR_NAN, _INFINITE, _REFLECTION or _NOT_ROTATION; or CHS_OK. */
 SELDOM int FN(chs_p_rotation_status)(const real R[9], real tolerance);
 
+/* At least the largest of them in size. */
+SHARED real sum_of_offsets(const real R[9]) {
+  real off[6];
+  offsets(R, off);
+  return ((ABS(off[0]) + ABS(off[1])) + (ABS(off[2]) + ABS(off[3]))) + (ABS(off[4]) + ABS(off[5]));
+}
+
 /* R is near enough to a rotation to be read as one; otherwise the status says why not. */
 SHARED int check_rotation(const real R[9]) {
   const real far = (real)CHS_SO3_FAR;
-  real off[6];
-  offsets(R, off);
-  real sum = ((ABS(off[0]) + ABS(off[1])) + (ABS(off[2]) + ABS(off[3]))) + (ABS(off[4]) + ABS(off[5]));
-  return sum <= far ? CHS_OK : FN(chs_p_rotation_status)(R, far);
+  return sum_of_offsets(R) <= far ? CHS_OK : FN(chs_p_rotation_status)(R, far);
 }
 
 /* Of two statuses, the one that counts: NaN before infinity before anything else that is wrong. */

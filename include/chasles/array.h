@@ -1,8 +1,8 @@
 /* chasles/array.h - many at once: the functions of so3.h, se3.h and tilt.h over arrays.
  *
- * Each does to every element what the single function does, with the same bits and the same status; ordinary elements
- * go through in blocks of 16, which compilers turn into vector instructions at -O3. chasles.h has the conventions that
- * all headers share.
+ * Each does to every element what the single function does, with the same bits and the same status. Where the processor
+ * has vector instructions ordinary elements go through in blocks of 16, which compilers make them of. chasles.h has the
+ * conventions that all headers share.
  *
  *   n         how many elements; 0 is allowed.
  *   strides   from the start of an element to that of the next, in numbers, not bytes: 9 for rotations that follow one
