@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 # The same rows as without a device, but for the added columns.
 run 0 compare --csv here.csv --only so3_exp,so3_check,tilt_error "$vectors"
-run 0 compare --csv there.csv --json there.json --device "exec:$device" --only so3_exp,so3_check,tilt_error "$vectors"
+run 0 compare --csv there.csv --json there.json --counts counts.csv --device "exec:$device" --only so3_exp,so3_check,tilt_error "$vectors"
 err_empty
 out_has ' PASS  same bits '
 out_has 'same bits 3'
@@ -17,6 +17,11 @@ out_has ', other bits 0; requests repeated 0 (0 damaged lines, 0 silences)'
 cut -d, -f1-11 there.csv | cmp -s - here.csv || fail "the table differs from the one without a device"
 file_has there.csv ',result,other_bits,least_instructions,most_instructions'
 file_has there.json '"other_bits": 0,'
+file_has counts.csv 'function,precision,band,case,status,count'
+[ "$(grep -c '^[a-z]' counts.csv)" -eq $(($(grep -c '^case' "$vectors"/so3_exp.f*.txt "$vectors"/so3_check.f*.txt \
+  "$vectors"/tilt_error.f*.txt | awk -F: '{n += $2} END {print n}') + 1)) ] || fail "a line for each call"
+run 2 compare --counts counts.csv "$vectors"
+err_is 'chasles: --counts needs --device: only a device counts'
 
 # Every third line damaged: repeated, counted, and nothing lost.
 run 0 compare --csv noisy.csv --device "exec:$python $here/noisy.py 0.002 1 $device" --only so3_exp "$vectors"

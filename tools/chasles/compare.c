@@ -26,8 +26,8 @@ const char compare_help[] =
     "With --device the functions are called on a controller, or an emulated one, that runs the program of\n"
     "tools/firmware, and its results are compared; a column says whether their bits and statuses equal those of this\n"
     "machine (any NaN equals any other). Where the device counts, the least and the most instructions of a call are\n"
-    "shown, the least among calls without an error. A line that loses or damages bytes costs time, not results:\n"
-    "requests are repeated, and counted.\n"
+    "shown, the least among calls without an error; --counts has every call. A line that loses or damages bytes\n"
+    "costs time, not results: requests are repeated, and counted.\n"
     "\n"
     "Of a directory, the files that end in .f64.txt or .f32.txt are read; '-' is standard input.\n"
     "\n"
@@ -40,6 +40,7 @@ const char compare_help[] =
     "  --quiet            print only the rows that fail, and the summary\n"
     "  --csv FILE         write the table to FILE as CSV\n"
     "  --json FILE        write the table and the faults to FILE as JSON\n"
+    "  --counts FILE      write to FILE as CSV what the device counted in each call\n"
     "  --help             print this help\n"
     "\n"
     "exit status:\n"
@@ -62,6 +63,7 @@ struct options {
   bool quiet;
   const char *csv;
   const char *json;
+  const char *counts;
   const char *device;
 };
 
@@ -86,14 +88,16 @@ static void progress_end(const struct progress *progress) {
 /* Cases that are read ahead, because a device takes many at a time. */
 struct batch {
   struct device *device; /* NULL: the library in this program */
+  FILE *counts;          /* what each call took; NULL: nobody asked */
   int space;
   int count;
   struct vector_case *records;
   struct device_call *calls;
 };
 
-static bool batch_init(struct batch *batch, struct device *device) {
+static bool batch_init(struct batch *batch, struct device *device, FILE *counts) {
   batch->device = device;
+  batch->counts = counts;
   batch->space = device == NULL ? 1 : device_batch(device);
   batch->count = 0;
   batch->records = calloc((size_t)batch->space, sizeof *batch->records);
@@ -106,6 +110,12 @@ static bool batch_init(struct batch *batch, struct device *device) {
 static void batch_free(struct batch *batch) {
   free(batch->records);
   free(batch->calls);
+}
+
+static void print_count(FILE *file, const struct vectors *vectors, const struct vector_case *record,
+                        const struct device_call *call) {
+  fprintf(file, "%s,%s,%s,%s,%d,%lu\n", vectors->function->name, precision_name(vectors->precision), record->band,
+          record->name, call->answer.status, (unsigned long)call->count);
 }
 
 /* Evaluates the cases read so far, and forgets them. */
@@ -121,6 +131,7 @@ static bool batch_compare(struct batch *batch, struct tally *tally, const char *
     struct answer here;
     evaluate(function, vectors->precision, record->in, &here);
     if (!tally_add(tally, name, vectors, record, &here, batch->device == NULL ? NULL : &batch->calls[i])) return false;
+    if (batch->counts != NULL) print_count(batch->counts, vectors, record, &batch->calls[i]);
   }
   batch->count = 0;
   return true;
@@ -194,14 +205,14 @@ static int report(struct tally *tally, const struct options *options, const stru
   return tally->failures == 0 ? ALL_WELL : SOMETHING_OVER;
 }
 
-static int compare_with(struct options *options, struct device *device) {
+static int compare_with(struct options *options, struct device *device, FILE *counts) {
   struct tally tally;
   struct batch batch;
   int status = UNUSABLE;
   paths_sort(&options->paths);
   if (!tally_init(&tally, (int)options->worst)) return UNUSABLE;
   tally.device = device != NULL;
-  if (batch_init(&batch, device) && compare_files(&tally, options, &batch) && check_coverage(&tally, options)) {
+  if (batch_init(&batch, device, counts) && compare_files(&tally, options, &batch) && check_coverage(&tally, options)) {
     status = report(&tally, options, device);
   }
   batch_free(&batch);
@@ -210,21 +221,29 @@ static int compare_with(struct options *options, struct device *device) {
 }
 
 static int compare(struct options *options) {
-  if (options->device == NULL) return compare_with(options, NULL);
+  if (options->device == NULL) return compare_with(options, NULL, NULL);
   struct device *device = device_open(options->device);
   if (device == NULL) return UNUSABLE;
-  const int status = compare_with(options, device);
+  FILE *counts = options->counts == NULL ? NULL : output_open(options->counts);
+  int status = UNUSABLE;
+  if (counts != NULL) fputs("function,precision,band,case,status,count\n", counts);
+  if (counts != NULL || options->counts == NULL) status = compare_with(options, device, counts);
+  if (counts != NULL && !output_close(counts, options->counts)) status = UNUSABLE;
   device_close(device);
   return status;
 }
 
 /* Returns the exit status when the run ends here, or -1. */
 static int read_options(int argc, char **argv, struct options *options) {
-  static const struct option names[] = {
-      {"only", required_argument, NULL, 'o'},  {"device", required_argument, NULL, 'd'},
-      {"worst", required_argument, NULL, 'w'}, {"quiet", no_argument, NULL, 'q'},
-      {"csv", required_argument, NULL, 'c'},   {"json", required_argument, NULL, 'j'},
-      {"help", no_argument, NULL, 'h'},        {NULL, 0, NULL, 0}};
+  static const struct option names[] = {{"only", required_argument, NULL, 'o'},
+                                        {"device", required_argument, NULL, 'd'},
+                                        {"worst", required_argument, NULL, 'w'},
+                                        {"quiet", no_argument, NULL, 'q'},
+                                        {"csv", required_argument, NULL, 'c'},
+                                        {"json", required_argument, NULL, 'j'},
+                                        {"counts", required_argument, NULL, 'n'},
+                                        {"help", no_argument, NULL, 'h'},
+                                        {NULL, 0, NULL, 0}};
   int option;
   while ((option = getopt_long(argc, argv, ":h", names, NULL)) != -1) {
     switch (option) {
@@ -239,12 +258,17 @@ static int read_options(int argc, char **argv, struct options *options) {
     case 'q': options->quiet = true; break;
     case 'c': options->csv = optarg; break;
     case 'j': options->json = optarg; break;
+    case 'n': options->counts = optarg; break;
     case 'h': fputs(compare_help, stdout); return ALL_WELL;
     default: return bad_option(option, argv);
     }
   }
   if (optind == argc) {
     complain("compare expects a directory or a file of vectors; see 'chasles help compare'");
+    return UNUSABLE;
+  }
+  if (options->counts != NULL && options->device == NULL) {
+    complain("--counts needs --device: only a device counts");
     return UNUSABLE;
   }
   for (int i = optind; i < argc; ++i) {

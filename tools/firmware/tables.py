@@ -7,8 +7,8 @@ flash         bytes that a program links because it calls this one function, -Os
               in the library, and what the compiler's own libraries add for soft float and square roots
 stack         most bytes of stack that a call takes, all that it calls included but for a function of the caller's own,
               at -O2
-instructions  least and most of a call over all reference vectors at -O2, net of a call that does nothing; the least is
-              that of calls without an error
+instructions  least, typical and most of a call over all reference vectors at -O2, net of a call that does nothing;
+              typical is the median, and it and the least are those of calls without an error
 
 Everything is built anew below --build. The figures are the same on every run and every machine with the same compiler
 and emulator. --check fails where a figure has grown, or is missing; what has shrunk is printed, for --write to record.
@@ -22,6 +22,7 @@ import json
 import os
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 
@@ -29,7 +30,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TABLES = HERE / "tables"
 TARGETS = {"cortex-m0plus": "M0+", "cortex-m4": "M4F", "cortex-m7": "M7", "cortex-m33": "M33", "rv32imafc": "RV32"}
-COUNTED = ("cortex-m0plus", "cortex-m4", "cortex-m7", "rv32imafc")
 BUILD_TYPES = {"-Os": "MinSizeRel", "-O2": "Release"}
 KINDS = ("flash", "stack", "instructions")
 WHOLE = "whole library"
@@ -206,11 +206,11 @@ def measure_stack(target, only):
 
 
 def count(target, program, host, only):
-    """(name, format) -> least and most, as the device counts."""
+    """(name, format) -> least, typical and most, as the device counts."""
     table = target.directory / f"{program}.csv"
     machine = re.search(r"^set\(target_machine (\S+)", (HERE / f"{target.name}.cmake").read_text(), re.M).group(1)
     emulate = target.directory / "tools" / "firmware" / "emulate"
-    command = [host, "compare", "--quiet", "--csv", table, "--device",
+    command = [host, "compare", "--quiet", "--counts", table, "--device",
                f"exec:{emulate} {target.program(program)} -icount {ICOUNT[machine]}", ROOT / "tests" / "vectors"]
     if only:
         command += ["--only", ",".join(sorted(only))]
@@ -218,13 +218,15 @@ def count(target, program, host, only):
                           check=False)
     if done.returncode == 2 or (done.returncode and program == "device_count"):
         sys.exit(f"{target.name}: {program}:\n{done.stdout}")
-    counts = {}
+    calls = collections.defaultdict(list)
     for row in csv.DictReader(table.open()):
-        key = row["function"], row["precision"]
-        least, most = int(row["least_instructions"]), int(row["most_instructions"])
-        before = counts.get(key, (0, 0))
-        counts[key] = (min(filter(None, (before[0], least)), default=0), max(before[1], most))
-    return counts
+        calls[row["function"], row["precision"]].append((int(row["count"]), int(row["status"])))
+    return {key: summary(found) for key, found in calls.items()}
+
+
+def summary(calls):
+    good = [number for number, status in calls if status >= 0] or [0]
+    return min(good), statistics.median_low(good), max(number for number, _ in calls)
 
 
 def measure_instructions(target, host, only):
@@ -236,12 +238,12 @@ def measure_instructions(target, host, only):
             names = {name for name in TEXTBOOK_FUNCTIONS if not only or name in only}
             if not names:
                 continue
-        for key, (least, most) in count(target, program, host, names).items():
+        for key, figures in count(target, program, host, names).items():
             if label and key[1] != "float":
                 continue
             name = f"{key[0]} ({label})" if label else key[0]
-            off = overhead[key][1]
-            result[name, key[1]] = [max(least - off, 0), max(most - off, 0)]
+            off = overhead[key][-1]
+            result[name, key[1]] = [max(figure - off, 0) for figure in figures]
     return result
 
 
@@ -258,8 +260,6 @@ def measure(kind, arguments):
     """The columns' titles, and (name, format) -> figures."""
     titles, rows = [], collections.defaultdict(dict)
     for name in arguments.targets:
-        if kind == "instructions" and name not in COUNTED:
-            continue
         for option in ("-Os", "-O2") if kind == "flash" else ("-O2",):
             target = Target(name, option, arguments.build)
             if kind == "flash":
@@ -267,7 +267,7 @@ def measure(kind, arguments):
             elif kind == "stack":
                 columns, found = [TARGETS[name]], measure_stack(target, arguments.only)
             else:
-                columns = [f"{TARGETS[name]}:least", f"{TARGETS[name]}:most"]
+                columns = [f"{TARGETS[name]}:{figure}" for figure in ("least", "typical", "most")]
                 found = measure_instructions(target, arguments.program, arguments.only)
             titles += columns
             for key, figures in found.items():
@@ -276,12 +276,12 @@ def measure(kind, arguments):
 
 
 def text_of(kind, titles, rows):
-    width = max(len(key[0]) for key in rows)
+    width, wide = max(len(key[0]) for key in rows), max(10, *map(len, titles))
     lines = [f"# {' '.join(line.split())}" for line in explanation(kind)]
-    lines.append(f"{'function':{width}} {'format':6} " + " ".join(f"{title:>10}" for title in titles))
+    lines.append(f"{'function':{width}} {'format':6} " + " ".join(f"{title:>{wide}}" for title in titles))
     for key in sorted(rows, key=place):
         cells = (str(rows[key].get(title, "-")) for title in titles)
-        lines.append(f"{key[0]:{width}} {key[1]:6} " + " ".join(f"{cell:>10}" for cell in cells))
+        lines.append(f"{key[0]:{width}} {key[1]:6} " + " ".join(f"{cell:>{wide}}" for cell in cells))
     return "\n".join(lines) + "\n"
 
 
