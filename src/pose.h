@@ -6,6 +6,8 @@
 
 #define part(...) FN(chs_p_part)(__VA_ARGS__)
 #define join(...) FN(chs_p_join)(__VA_ARGS__)
+#define copy_row(...) FN(chs_p_copy_row)(__VA_ARGS__)
+#define combine_rows(...) FN(chs_p_combine_rows)(__VA_ARGS__)
 #define transform(...) FN(chs_p_transform)(__VA_ARGS__)
 #define put_row(...) FN(chs_p_put_row)(__VA_ARGS__)
 #define put_blocks(...) FN(chs_p_put_blocks)(__VA_ARGS__)
@@ -40,6 +42,18 @@ SHARED void join(const real R[9], const real p[3], real T[16]) {
   T[11] = p[2];
   T[12] = T[13] = T[14] = 0;
   T[15] = 1;
+}
+
+/* b lies apart from a or is the same. */
+SHARED void copy_row(const real a[4], real b[4]) {
+  OVER_ROW
+  for (int j = 0; j < 4; j++) b[j] = a[j];
+}
+
+/* row = (a b c) [R p]; row lies apart from T. */
+SHARED void combine_rows(real a, real b, real c, const real T[12], real row[4]) {
+  OVER_ROW
+  for (int j = 0; j < 4; j++) row[j] = a * T[j] + b * T[4 + j] + c * T[8 + j];
 }
 
 /* y = R x + p; y may be x. */

@@ -18,8 +18,11 @@
 #endif
 
 /* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here; and its
- * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results all the same. */
-#if defined(__GNUC__) && !defined(__clang__)
+ * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results all the same, so that
+ * only a source without differences may have it: one that defines SUMS_ALONE. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(SUMS_ALONE)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #else
 #pragma STDC FP_CONTRACT OFF
@@ -47,6 +50,16 @@
 #define SHARED inline
 #else
 #define SHARED static inline
+#endif
+
+/* In front of a loop over the four entries of a pose's row. Where there are vectors gcc shall not unroll it before its
+ * vectoriser comes, but may unroll what that leaves; where there are none it shall write out all four. */
+#if !defined(__GNUC__) || defined(__clang__) || __GNUC__ < 8 || defined(__OPTIMIZE_SIZE__)
+#define OVER_ROW
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+#define OVER_ROW _Pragma("GCC unroll 2")
+#else
+#define OVER_ROW _Pragma("GCC unroll 4")
 #endif
 
 #ifdef CHS_SINGLE

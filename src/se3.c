@@ -3,43 +3,6 @@
 #include "pose.h"
 #include "rotation.h"
 
-void FN(chs_se3_from_parts)(const real R[9], const real p[3], real T[16]) {
-  real r[9], t[3];
-  copy9(R, r);
-  copy3(p, t);
-  join(r, t, T);
-}
-
-void FN(chs_se3_to_parts)(const real T[16], real R[9], real p[3]) {
-  real r[9], t[3];
-  part(T, r, t);
-  copy9(r, R);
-  copy3(t, p);
-}
-
-void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
-  real RA[9], pA[3], RB[9], pB[3], R[9], p[3];
-  part(A, RA, pA);
-  part(B, RB, pB);
-  multiply(RA, RB, R);
-  rotate(RA, pB, p);
-  add_to(p, pA);
-  join(R, p, C);
-}
-
-void FN(chs_se3_inverse)(const real A[16], real B[16]) {
-  real R[9], p[3];
-  part(A, R, p);
-  rotate_back(R, p, p);
-  p[0] = -p[0];
-  p[1] = -p[1];
-  p[2] = -p[2];
-  transpose(R, R);
-  join(R, p, B);
-}
-
-void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) { transform(T, x, y); }
-
 /* T = exp [V] given what there is to know about omega's angle. */
 static INLINE int exp_from_half_angle(const real V[6], half_angle half, real T[16]) {
   real R[9], p[3];
@@ -75,20 +38,38 @@ int FN(chs_se3_log)(const real T[16], real V[6]) {
   return status;
 }
 
-/* z = a x + b y */
-static inline void combine(real a, const real x[3], real b, const real y[3], real z[3]) {
-  z[0] = a * x[0] + b * y[0];
-  z[1] = a * x[1] + b * y[1];
-  z[2] = a * x[2] + b * y[2];
+/* z = a x - b y */
+static inline void difference(real a, const real x[4], real b, const real y[4], real z[4]) {
+  OVER_ROW
+  for (int j = 0; j < 4; j++) z[j] = a * x[j] - b * y[j];
+}
+
+/* Three rows (R p) of T as [p] (R p). */
+static inline void moments(const real T[12], real pR[12]) {
+  difference(T[7], T + 8, T[11], T + 4, pR);
+  difference(T[11], T, T[3], T + 8, pR + 4);
+  difference(T[3], T + 4, T[7], T, pR + 8);
+}
+
+/* Row i of the upper and of the lower half of Ad: (r 0) and (m r). Four numbers go at once where the fourth is
+ * overwritten, and r comes in both ways, so that none of them has to be taken apart. */
+static inline void put_halves(const real row[4], const real r[3], const real moment[4], real Ad[24]) {
+  copy_row(row, Ad);
+  Ad[3] = Ad[4] = Ad[5] = 0;
+  copy_row(moment, Ad + 18);
+  copy3(r, Ad + 21);
 }
 
 void FN(chs_se3_adjoint)(const real T[16], real Ad[36]) {
-  real R[9], p[3], pR[9];
+  real rows[12], pR[12], R[9], p[3];
   part(T, R, p);
-  combine(p[1], R + 6, -p[2], R + 3, pR);
-  combine(p[2], R, -p[0], R + 6, pR + 3);
-  combine(p[0], R + 3, -p[1], R, pR + 6);
-  put_blocks(R, pR, Ad);
+  copy_row(T, rows);
+  copy_row(T + 4, rows + 4);
+  copy_row(T + 8, rows + 8);
+  moments(T, pR);
+  put_halves(rows, R, pR, Ad);
+  put_halves(rows + 4, R + 3, pR + 4, Ad + 6);
+  put_halves(rows + 8, R + 6, pR + 8, Ad + 12);
 }
 
 void FN(chs_se3_adjoint_inverse)(const real T[16], real Ad[36]) {
@@ -117,13 +98,13 @@ static INLINE void carry(const real T[16], const real x[3], const real y[3], rea
 
 /* (u; v) = (R^T x; R^T (y - p x x)), the inverse of carry. */
 static INLINE void carry_back(const real T[16], const real x[3], const real y[3], real u[3], real v[3]) {
-  real R[9], p[3], Rtx[3], lever[3];
-  part(T, R, p);
+  real p[3] = {T[3], T[7], T[11]}, lever[3], Rtx[4], Rty[4];
   cross(p, x, lever);
   subtract(y, lever, lever);
-  rotate_back(R, x, Rtx);
-  rotate_back(R, lever, v);
+  combine_rows(x[0], x[1], x[2], T, Rtx);
+  combine_rows(lever[0], lever[1], lever[2], T, Rty);
   copy3(Rtx, u);
+  copy3(Rty, v);
 }
 
 void FN(chs_se3_adjoint_twist)(const real T[16], const real V[6], real U[6]) { carry(T, V, V + 3, U, U + 3); }

@@ -82,12 +82,6 @@ int FN(chs_so3_left_jacobian_inverse)(const real w[3], real J[9]) { return jacob
 
 int FN(chs_so3_right_jacobian_inverse)(const real w[3], real J[9]) { return jacobian_inverse(w, K(-1.0), J); }
 
-void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) { multiply(A, B, C); }
-
-void FN(chs_so3_transpose)(const real A[9], real B[9]) { transpose(A, B); }
-
-void FN(chs_so3_apply)(const real R[9], const real x[3], real y[3]) { rotate(R, x, y); }
-
 int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
   int status = first_error(check_rotation(A), check_rotation(B));
   if (status != CHS_OK) return status;

@@ -1,0 +1,65 @@
+/* Rotations and poses put together, turned round and applied: sums of products alone. */
+#define SUMS_ALONE
+#include <chasles/se3.h>
+#include <chasles/so3.h>
+
+#include "pose.h"
+
+void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) { multiply(A, B, C); }
+
+void FN(chs_so3_transpose)(const real A[9], real B[9]) { transpose(A, B); }
+
+void FN(chs_so3_apply)(const real R[9], const real x[3], real y[3]) { rotate(R, x, y); }
+
+void FN(chs_se3_from_parts)(const real R[9], const real p[3], real T[16]) {
+  real r[9], t[3];
+  copy9(R, r);
+  copy3(p, t);
+  join(r, t, T);
+}
+
+void FN(chs_se3_to_parts)(const real T[16], real R[9], real p[3]) {
+  real r[9], t[3];
+  part(T, r, t);
+  copy9(r, R);
+  copy3(t, p);
+}
+
+/* A row of A B from that of A. To add -0 changes no number. */
+static inline void compose_row(const real A[4], const real B[12], real row[4]) {
+  static const real last[4] = {0, 0, 0, 1};
+  real p[4];
+  OVER_ROW
+  for (int j = 0; j < 4; j++) {
+    real entry = A[j];
+    p[j] = last[j] > 0 ? entry : K(-0.0);
+  }
+  combine_rows(A[0], A[1], A[2], B, row);
+  OVER_ROW
+  for (int j = 0; j < 4; j++) row[j] += p[j];
+}
+
+void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
+  real rows[3][4];
+  compose_row(A, B, rows[0]);
+  compose_row(A + 4, B, rows[1]);
+  compose_row(A + 8, B, rows[2]);
+  copy_row(rows[0], C);
+  copy_row(rows[1], C + 4);
+  copy_row(rows[2], C + 8);
+  C[12] = C[13] = C[14] = 0;
+  C[15] = 1;
+}
+
+void FN(chs_se3_inverse)(const real A[16], real B[16]) {
+  real R[9], p[3];
+  part(A, R, p);
+  rotate_back(R, p, p);
+  p[0] = -p[0];
+  p[1] = -p[1];
+  p[2] = -p[2];
+  transpose(R, R);
+  join(R, p, B);
+}
+
+void FN(chs_se3_apply)(const real T[16], const real x[3], real y[3]) { transform(T, x, y); }
