@@ -94,7 +94,7 @@ def link(target, symbols):
     roots = [f"-Wl,-u,{symbol}" for symbol in symbols]
     run(target.compiler, *target.flags, "-nostartfiles", "-Wl,--gc-sections", "-T", HERE / "board" / "sections.ld",
         "-Wl,--defsym=CODE=0,--defsym=RAM=0x20000000,--defsym=RAM_SIZE=0x400000", f"-Wl,-e,{symbols[0]}", *roots,
-        target.library, "-lm", "-o", program)
+        target.library, "-lm", f"-Wl,-Map={program}.map", "-o", program)
     return program
 
 
@@ -102,6 +102,7 @@ def linked_bytes(target, symbols):
     program = link(target, symbols)
     size = run(target.tool("size"), program).splitlines()[1].split()
     program.unlink()
+    program.with_name(f"{program.name}.map").unlink()
     return int(size[0]) + int(size[1])
 
 
@@ -125,7 +126,7 @@ STACK = (
     (re.compile(r"strd?(?:\.w)?\s+.*\[sp, #-(\d+)\]!"), lambda m: int(m.group(1))),
     (re.compile(r"addi\s+sp,sp,-(\d+)"), lambda m: int(m.group(1))),
 )
-CALL = re.compile(r"(?:bl|b|b\.w|b\.n|jal|j|tail|call)\s+(?:ra,)?(?:0x)?([0-9a-f]+) <[^>+]+>")
+CALL = re.compile(r"(?:bl|(b|b\.w|b\.n|j|tail)|jal|call)\s+(?:ra,)?(?:0x)?([0-9a-f]+) <[^>+]+>")
 INDIRECT = re.compile(r"blx\s+r|jalr\s")
 
 
@@ -138,16 +139,24 @@ def registers(match):
 
 
 def read_frames(directory):
-    """name -> bytes of its own frame, as the compiler says; of several functions of one name the largest."""
+    """(object file, name) -> bytes of its own frame, as the compiler says; of several functions of one name the
+    largest."""
     frames = collections.defaultdict(int)
     for file in (directory / "src").rglob("*.su"):
         for line in file.read_text().splitlines():
             where, size, kind = line.split("\t")
             if kind != "static":
                 sys.exit(f"{where}: its stack is {kind}")
-            name = where.rsplit(":", 1)[1]
-            frames[name] = max(frames[name], int(size))
+            key = re.sub(r"\.c$", "", file.stem), where.rsplit(":", 1)[1]
+            frames[key] = max(frames[key], int(size))
     return frames
+
+
+def read_origins(program):
+    """address -> object file of each of the library's functions, which have sections of their own, in a program."""
+    text = program.with_name(f"{program.name}.map").read_text()
+    found = re.findall(r"^ \.text\.\S+\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ \S*\((\w+)\.c\.obj\)$", text, re.M)
+    return {int(address, 16): name for address, name in found}
 
 
 CALLBACKS = ("take", "pose_of_robot")  # chs_so3_solve and chs_tilt_worst ask a function of the caller
@@ -156,27 +165,30 @@ CALLBACKS = ("take", "pose_of_robot")  # chs_so3_solve and chs_tilt_worst ask a 
 class Function:
     """One function of a linked program: static ones of the same name are different ones."""
 
-    def __init__(self, name):
-        self.name, self.calls, self.taken, self.indirect = name, set(), 0, False
+    def __init__(self, name, origin):
+        self.name, self.origin = name, origin
+        self.calls, self.jumps, self.taken, self.indirect = set(), set(), 0, False
 
 
 def read_functions(target):
-    """address -> Function: its calls, by address, and the bytes of stack that its instructions take."""
+    """address -> Function: its calls and its jumps to others, by address, and the bytes of stack that its instructions
+    take."""
     functions, address = {}, None
     program = link(target, list(target.functions().values()))
+    origins = read_origins(program)
     for line in run(target.tool("objdump"), "-d", "--no-show-raw-insn", program).splitlines():
         start = re.match(r"([0-9a-f]+) <([^>]+)>:$", line)
         if start:
             address = int(start.group(1), 16)
-            functions[address] = Function(start.group(2))
+            functions[address] = Function(start.group(2), origins.get(address))
             continue
         found = re.match(r"\s*[0-9a-f]+:\s+(.*)", line)
         if not found:
             continue
         instruction, function = found.group(1), functions[address]
         called = CALL.search(instruction)
-        if called and int(called.group(1), 16) != address:
-            function.calls.add(int(called.group(1), 16))
+        if called and int(called.group(2), 16) != address:
+            (function.jumps if called.group(1) else function.calls).add(int(called.group(2), 16))
         function.indirect |= bool(INDIRECT.match(instruction))
         for pattern, amount in STACK:
             took = pattern.match(instruction)
@@ -194,11 +206,15 @@ def measure_stack(target, only):
         function = functions[address]
         if address in above:
             sys.exit(f"{target.name}: {function.name} calls itself")
-        if function.indirect and function.name in frames and function.name not in CALLBACKS:
+        key = function.origin, function.name
+        if function.indirect and key in frames and function.name not in CALLBACKS:
             sys.exit(f"{target.name}: {function.name} calls through a pointer")
         if address not in depths:
-            own = frames.get(function.name, function.taken)
-            depths[address] = own + max((depth(called, above + (address,)) for called in function.calls), default=0)
+            above += (address,)
+            own = frames.get(key, function.taken)
+            # A jump to another function is its last deed, its own stack given back.
+            depths[address] = max(own + max((depth(called, above) for called in function.calls), default=0),
+                                  max((depth(other, above) for other in function.jumps), default=0))
         return depths[address]
 
     places = {function.name: address for address, function in functions.items()}
