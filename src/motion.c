@@ -5,31 +5,27 @@
 /* Two triangles: the side a from the first point to the second and c from the third to the first, before and after. */
 typedef struct triangles {
   real a[3], c[3], af[3], cf[3];
-  real center[3]; /* centroid of the initial points */
-  real travel[3]; /* displacement of the centroid */
-  /* Sums over the sides: of their squares before, the same and after, and of how much each square changed. */
+  /* Of their squares half the sum over all sides before, and over those before and after; of what each square changed
+   * the sum. */
   real before, span, strain;
-  real area, area_after; /* squares of twice the areas, good to 4 eps span^2 */
-  real reach;            /* a third of it is at least the square of the largest coordinate */
+  real area, area_after; /* squares of twice the areas, good to 16 eps span^2 */
+  real reach;            /* two thirds of it are at least the square of the largest coordinate */
+  int ordinary;          /* nothing but ordinary is known of them, which saves looking closer */
 } triangles;
 
-/* What a closer look tells. The sides are divided by a power of two near the longest, so that products of any degree
- * fit, and these with them. */
-typedef struct examination {
-  int examined;
-  real longest; /* length of the longest initial side */
-  real doubled; /* twice the initial triangle's area */
-  real turned;  /* the largest change of a side's component */
-  real noise;   /* the rounding of the coordinates: how far a side is uncertain */
-} examination;
+/* Where they are. */
+typedef struct place {
+  real center[3]; /* centroid of the initial points */
+  real travel[3]; /* displacement of the centroid */
+} place;
 
-/* Sums of squares between which products of eight lengths neither overflow nor underflow. */
+/* Half sums of squares between which products of eight lengths neither overflow nor underflow. */
 #ifdef CHS_SINGLE
-#define SPAN_LEAST 0x1p-20F
-#define REACH_MOST 0x1p+28F
+#define SPAN_LEAST 0x1p-21F
+#define REACH_MOST 0x1p+27F
 #else
-#define SPAN_LEAST 0x1p-200
-#define REACH_MOST 0x1p+200
+#define SPAN_LEAST 0x1p-201
+#define REACH_MOST 0x1p+199
 #endif
 
 static INLINE void read_sides(const real initial[9], const real final[9], triangles *t) {
@@ -47,142 +43,220 @@ static INLINE void mean(const real o[3], const real a[3], const real c[3], real 
   m[2] = o[2] + third * (a[2] - c[2]);
 }
 
-static INLINE void read_centers(const real initial[9], const real final[9], triangles *t) {
+static INLINE void read_place(const real initial[9], const real final[9], const triangles *t, place *p) {
   real moved[3], da[3], dc[3];
   subtract(final, initial, moved);
   subtract(t->af, t->a, da);
   subtract(t->cf, t->c, dc);
-  mean(initial, t->a, t->c, t->center);
-  mean(moved, da, dc, t->travel);
-  t->reach = t->span + (dot(t->center, t->center) + dot(t->travel, t->travel));
+  mean(initial, t->a, t->c, p->center);
+  mean(moved, da, dc, p->travel);
 }
 
 static INLINE void measure(triangles *t) {
   real aa = dot(t->a, t->a), cc = dot(t->c, t->c), ac = dot(t->a, t->c);
   real ff = dot(t->af, t->af), gg = dot(t->cf, t->cf), fg = dot(t->af, t->cf);
   real da = ff - aa, dc = gg - cc, db = (da + dc) + K(2.0) * (fg - ac);
-  t->before = K(2.0) * (aa + cc + ac);
-  t->span = t->before + K(2.0) * (ff + gg + fg);
+  t->before = aa + cc + ac;
+  t->span = t->before + (ff + gg + fg);
   t->strain = ABS(da) + ABS(db) + ABS(dc);
   t->area = aa * cc - ac * ac;
   t->area_after = ff * gg - fg * fg;
 }
 
-static void look_at(const real initial[9], const real final[9], triangles *t) {
-  read_sides(initial, final, t);
-  measure(t);
-  read_centers(initial, final, t);
+static INLINE void measure_reach(const place *p, triangles *t) {
+  t->reach = t->span + K(0.5) * (dot(p->center, p->center) + dot(p->travel, p->travel));
 }
 
 /* Far enough from lines, and near enough to the origin, for rounding to be out of the question. */
 static INLINE int well_shaped(const triangles *t) {
-  real least = K(64.0) * EPS * (t->span * t->span);
-  return (t->area >= least) & (t->area_after >= least) & (t->span >= K(4.0) * EPS * t->reach);
+  real least = K(256.0) * EPS * (t->span * t->span);
+  return t->area >= least && t->area_after >= least && t->span >= K(4.0) * EPS * t->reach;
 }
 
 /* Enough to be certain, at a glance, that examine() would find nothing wrong. NaN fails. */
 static INLINE int ordinary(const triangles *t, real tolerance) {
-  return well_shaped(t) & (t->reach <= REACH_MOST) & (t->span >= SPAN_LEAST) &
-         (t->strain <= K(2.0) / K(3.0) * tolerance * t->before);
+  return well_shaped(t) && t->reach <= REACH_MOST && t->span >= SPAN_LEAST &&
+         t->strain <= K(4.0) / K(3.0) * tolerance * t->before;
 }
 
-/* Enough to be certain that the rotation is neither none nor a half-turn, nor near enough to either to ask. */
+/* Enough to be certain, of triangles of good shape, that the rotation is neither none nor a half-turn, nor near enough
+ * to either to ask. */
 static INLINE int plain(const triangles *t, const quaternion *q) {
-  real vv = dot(q->v, q->v), ww = q->w * q->w;
-  real zone = K(64.0) * EPS * EPS * (t->span * t->span);
-  return (vv * (t->span * t->area) > zone * t->reach * (vv + ww)) & (ww * t->area > zone * vv);
-}
-
-static inline real larger(real a, real b) { return a > b ? a : b; }
-
-/* Points too near to each other or to a line for their rounding errors to be told from their positions. */
-static int shape_status(const real squared[3], real doubled, real noise) {
-  real longest_squared = largest(squared, 3);
-  for (int k = 0; k < 3; k++)
-    if (squared[k] <= noise * noise) return CHS_ERR_COINCIDENT;
-  real height_noise = K(2.0) * noise;
-  return doubled * doubled <= longest_squared * (height_noise * height_noise) ? CHS_ERR_COLLINEAR : CHS_OK;
-}
-
-static real doubled_area(const real a[3], const real c[3]) {
-  real normal[3];
-  cross(a, c, normal);
-  return norm(normal, 3);
-}
-
-/* The slow and careful look at two triangles: what is wrong with them, and their sides to scale. */
-static SELDOM int examine(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x) {
-  int status = first_error(finiteness(initial, 9), finiteness(final, 9));
-  if (status != CHS_OK) return status;
-  /* Sides 0 to 2 before, 3 to 5 after. */
-  real sides[18], squared[6];
-  subtract(initial + 3, initial, sides);
-  subtract(initial, initial + 6, sides + 3);
-  subtract(initial + 6, initial + 3, sides + 6);
-  subtract(final + 3, final, sides + 9);
-  subtract(final, final + 6, sides + 12);
-  subtract(final + 6, final + 3, sides + 15);
-  real reach = larger(largest(initial, 9), largest(final, 9)), most = largest(sides, 18);
-  if (!is_finite(most)) return CHS_ERR_OVERFLOW;
-  if (most == 0) return CHS_ERR_COINCIDENT;
-  /* Two factors, since one alone may be beyond the format. */
-  real enlarge = safe_to_square(most), scale = K(1.0) / power_of_two_below(enlarge * most);
-  x->examined = 1;
-  x->noise = K(4.0) * EPS * (scale * (enlarge * reach));
-  x->turned = 0;
-  for (int k = 0; k < 18; k++) sides[k] = scale * (enlarge * sides[k]);
-  for (int k = 0; k < 9; k++) x->turned = larger(x->turned, ABS(sides[9 + k] - sides[k]));
-  for (int k = 0; k < 6; k++) squared[k] = dot(sides + 3 * k, sides + 3 * k);
-  copy(sides, 3, t->a);
-  copy(sides + 3, 3, t->c);
-  copy(sides + 9, 3, t->af);
-  copy(sides + 12, 3, t->cf);
-  real center[3], travel[3];
-  for (int i = 0; i < 3; i++) {
-    center[i] = scale * (enlarge * t->center[i]);
-    travel[i] = scale * (enlarge * t->travel[i]);
-  }
-  measure(t);
-  t->reach = t->span + (dot(center, center) + dot(travel, travel));
-  real longest_squared = largest(squared, 3);
-  x->longest = SQRT(longest_squared);
-  x->doubled = doubled_area(t->a, t->c);
-  status = shape_status(squared, x->doubled, x->noise);
-  if (status == CHS_OK) status = shape_status(squared + 3, doubled_area(t->af, t->cf), x->noise);
-  if (status != CHS_OK) return status;
-  for (int k = 0; k < 3; k++)
-    if (!(ABS(squared[3 + k] - squared[k]) <= K(2.0) * tolerance * longest_squared)) return CHS_ERR_NOT_RIGID;
-  return CHS_OK;
-}
-
-static int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x) {
-  x->examined = 0;
-  look_at(initial, final, t);
-  return ordinary(t, tolerance) ? CHS_OK : examine(initial, final, tolerance, t, x);
+  real vv = dot(q->v, q->v), ww = q->w * q->w, zone = K(256.0) * EPS * EPS * t->span;
+  return vv * t->area > zone * t->reach * (vv + ww) && ww * t->area > zone * t->span * vv;
 }
 
 /* The screw of q = (v; w), n = |v|, turned so that w is not negative where sign has its sign. */
-static INLINE void write_screw(const triangles *t, const quaternion *q, real n, real sign, screw *out) {
+static INLINE void write_screw(const place *p, const quaternion *q, real n, real sign, screw *out) {
   real w = sign * q->w;
-  screw_through(t->center, t->travel, q->v, sign / n, w / n, out);
+  screw_through(p->center, p->travel, q->v, sign / n, w / n, out);
   out->angle = K(2.0) * FN(chs_p_angle_of)(n, w > 0 ? w : K(0.0)); /* a half-turn may be a hair beyond pi */
 }
 
-static INLINE void write_pose(const triangles *t, const quaternion *q, real nn, real T[16]) {
-  real R[9], p[3];
+/* The rotation of q, |q|^2 = nn, and the translation that takes the centroid to the centroid. */
+static INLINE void pose_of(const place *p, const quaternion *q, real nn, real R[9], real shift[3]) {
   rotation_from_quaternion(q, nn, R);
-  rotate(R, t->center, p);
-  subtract(t->center, p, p);
-  add_to(p, t->travel);
-  join(R, p, T);
+  rotate(R, p->center, shift);
+  subtract(p->center, shift, shift);
+  add_to(shift, p->travel);
 }
 
 static const real sign_of[2] = {1, -1}; /* looked up, for a branch would be a coin's toss */
 
-static INLINE void write_plain(const triangles *t, const quaternion *q, screw *out, real T[16]) {
+static INLINE int write_plain(const place *p, const quaternion *q, screw *out, real T[16]) {
   real vv = dot(q->v, q->v), ww = q->w * q->w;
-  if (out) write_screw(t, q, SQRT(vv), sign_of[q->w < 0], out);
-  if (T) write_pose(t, q, vv + ww, T);
+  if (out) write_screw(p, q, SQRT(vv), sign_of[q->w < 0], out);
+  if (T) {
+    real R[9], shift[3];
+    pose_of(p, q, vv + ww, R, shift);
+    join(R, shift, T);
+  }
+  return CHS_OK;
+}
+
+/* What follows is the careful way, for all that is not plain, in steps that are called one after the other rather than
+ * one by the other, so that little stack is taken. */
+
+/* The sum of the sizes of the sides' components, each times a factor: NaN or infinite where one of them is. */
+static SELDOM real extent_of(const real points[9], real factor) {
+  real sum = 0;
+  for (int i = 0; i < 3; i++) {
+    real x = points[i], y = points[3 + i], z = points[6 + i];
+    sum += factor * ABS(y - x) + factor * ABS(x - z) + factor * ABS(z - y);
+  }
+  return sum;
+}
+
+static SELDOM real largest_coordinate(const real initial[9], const real final[9]) {
+  real before = largest(initial, 9), after = largest(final, 9);
+  return before > after ? before : after;
+}
+
+/* Why the sum of all sides is beyond the format; CHS_OK if but their number is to blame. */
+static SELDOM int range_status(const real initial[9], const real final[9]) {
+  const real less = K(0.03125);
+  int status = first_error(finiteness(initial, 9), finiteness(final, 9));
+  if (status != CHS_OK) return status;
+  return is_finite(extent_of(initial, less) + extent_of(final, less)) ? CHS_OK : CHS_ERR_OVERFLOW;
+}
+
+/* Two factors, since one alone may be beyond the format. */
+typedef struct scaling {
+  real first, second;
+} scaling;
+
+static INLINE void scale_by(scaling by, real x[3]) {
+  multiply_by(by.first, x);
+  multiply_by(by.second, x);
+}
+
+static SELDOM void bring_to_scale(scaling by, const place *p, triangles *t) {
+  place scaled = *p;
+  scale_by(by, t->a);
+  scale_by(by, t->c);
+  scale_by(by, t->af);
+  scale_by(by, t->cf);
+  measure(t);
+  scale_by(by, scaled.center);
+  scale_by(by, scaled.travel);
+  measure_reach(&scaled, t);
+}
+
+/* Points too near to each other or to a line for their rounding errors to be told from their positions; a and c are
+ * sides to scale. Also the squares of all three. */
+static SELDOM int shape_status(const real points[9], scaling by, const real a[3], const real c[3], real noise,
+                               real squares[3]) {
+  real b[3], normal[3], least = noise * noise;
+  subtract(points + 6, points + 3, b);
+  scale_by(by, b);
+  cross(a, c, normal);
+  squares[0] = dot(a, a);
+  squares[1] = dot(b, b);
+  squares[2] = dot(c, c);
+  for (int k = 0; k < 3; k++)
+    if (squares[k] <= least) return CHS_ERR_COINCIDENT;
+  return dot(normal, normal) <= K(4.0) * least * largest(squares, 3) ? CHS_ERR_COLLINEAR : CHS_OK;
+}
+
+/* What is wrong with two triangles. Their sides are divided by a power of two near the longest, so that products of any
+ * degree fit, and what is known of them changes with them. */
+static SELDOM int examine(const real initial[9], const real final[9], real tolerance, triangles *t, const place *p) {
+  real extent = extent_of(initial, 1) + extent_of(final, 1);
+  if (!is_finite(extent)) {
+    int status = range_status(initial, final);
+    if (status != CHS_OK) return status;
+    extent = REAL_MAX;
+  }
+  if (extent == 0) return CHS_ERR_COINCIDENT;
+  scaling by = {safe_to_square(extent), 0};
+  by.second = K(8.0) / power_of_two_below(by.first * extent);
+  bring_to_scale(by, p, t);
+  real before[3], after[3], noise = K(4.0) * EPS * (by.second * (by.first * largest_coordinate(initial, final)));
+  int status = shape_status(initial, by, t->a, t->c, noise, before);
+  if (status == CHS_OK) status = shape_status(final, by, t->af, t->cf, noise, after);
+  if (status != CHS_OK) return status;
+  real most = K(2.0) * tolerance * largest(before, 3);
+  for (int k = 0; k < 3; k++)
+    if (!(ABS(after[k] - before[k]) <= most)) return CHS_ERR_NOT_RIGID;
+  return CHS_OK;
+}
+
+static APART int read_triangles(const real initial[9], const real final[9], real tolerance, triangles *t, place *p) {
+  read_sides(initial, final, t);
+  measure(t);
+  read_place(initial, final, t, p);
+  measure_reach(p, t);
+  t->ordinary = ordinary(t, tolerance);
+  return t->ordinary ? CHS_OK : examine(initial, final, tolerance, t, p);
+}
+
+/* No component of a side changed by more than the rounding of the coordinates. */
+static SELDOM int is_still(const real initial[9], const real final[9]) {
+  real turned = 0;
+  for (int i = 0; i < 9; i++) {
+    int next = i < 6 ? i + 3 : i - 6;
+    real change = ABS((final[next] - final[i]) - (initial[next] - initial[i]));
+    turned = change > turned ? change : turned;
+  }
+  return turned * (K(0.25) / EPS) <= largest_coordinate(initial, final);
+}
+
+/* Whether it is certain, without a look at all of the coordinates, that they are not still. */
+static int moves(const triangles *t) {
+  real da[3], dc[3];
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  return dot(da, da) + dot(dc, dc) > K(80.0) * EPS * EPS * t->reach;
+}
+
+/* k of the errors: the longest side over the smallest height. */
+static SELDOM real condition_of(const triangles *t) {
+  real normal[3], aa = dot(t->a, t->a), cc = dot(t->c, t->c), bb = aa + cc + K(2.0) * dot(t->a, t->c);
+  real longest = aa > cc ? aa : cc;
+  cross(t->a, t->c, normal);
+  return (bb > longest ? bb : longest) / SQRT(dot(normal, normal));
+}
+
+/* False where the result is beyond the format; then no pose was written. */
+static APART int screw_fits(const place *p, const quaternion *q, real n, real sign, screw *out) {
+  write_screw(p, q, n, sign, out);
+  return all_finite(out->point, 3);
+}
+
+static APART int pose_fits(const place *p, const quaternion *q, real nn, real T[16]) {
+  real R[9], shift[3];
+  pose_of(p, q, nn, R, shift);
+  if (!all_finite(shift, 3)) return 0;
+  if (T) join(R, shift, T);
+  return 1;
+}
+
+/* write_plain() with the parts of the careful way. */
+static APART int write_apart(const place *p, const quaternion *q, screw *out, real T[16]) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w;
+  if (out) screw_fits(p, q, SQRT(vv), sign_of[q->w < 0], out);
+  if (T) pose_fits(p, q, vv + ww, T);
+  return CHS_OK;
 }
 
 int FN(chs_p_finish_translation)(const real travel[3], screw *out, real T[16]) {
@@ -196,31 +270,52 @@ int FN(chs_p_finish_translation)(const real travel[3], screw *out, real T[16]) {
 }
 
 /* What all methods do once the rotation is known: the screw, the pose, and what is special about them. */
-static int finish(const real initial[9], const real final[9], real tolerance, triangles *t, examination *x,
-                  quaternion *q, screw *out, real T[16]) {
-  real vv = dot(q->v, q->v), ww = q->w * q->w, n = SQRT(vv);
-  if (!x->examined) {
-    if (plain(t, q)) {
-      write_plain(t, q, out, T);
-      return CHS_OK;
-    }
-    int status = examine(initial, final, tolerance, t, x);
-    if (status != CHS_OK) return status;
-  }
-  if (x->turned <= x->noise || n == 0) return FN(chs_p_finish_translation)(t->travel, out, T);
+static SELDOM int finish(const place *p, real condition, quaternion *q, screw *out, real T[16]) {
+  real vv = dot(q->v, q->v), nn = vv + q->w * q->w, n = SQRT(vv), zone = K(8.0) * EPS * condition;
   if (q->w < 0) negate(q);
-  real condition = x->longest * x->longest / x->doubled, zone = K(8.0) * EPS * condition;
   int half_turn = q->w <= zone * n;
   settle_half_turn(q, zone, n);
   screw s;
-  real pose[16];
-  write_screw(t, q, n, 1, &s);
-  write_pose(t, q, vv + ww, pose);
-  if (!all_finite(s.point, 3) || !all_finite(pose, 12)) return CHS_ERR_OVERFLOW;
+  if (!screw_fits(p, q, n, 1, &s) || !pose_fits(p, q, nn, T)) return CHS_ERR_OVERFLOW;
   if (out) *out = s;
-  if (T) copy(pose, 16, T);
   if (condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
   return half_turn ? CHS_HALF_TURN : CHS_OK;
+}
+
+/* What finds the rotation q of triangles. */
+typedef void method(const triangles *t, quaternion *q);
+
+/* The whole of a solver, one method or the other. A rotation that is plain is written at once, unless it is known not
+ * to be. */
+static INLINE int solve_with_care(method *find, int may_be_plain, const real initial[9], const real final[9],
+                                  real tolerance, screw *out, real T[16]) {
+  triangles t;
+  place p;
+  quaternion q;
+  int status = read_triangles(initial, final, tolerance, &t, &p);
+  if (status != CHS_OK) return status;
+  if (!moves(&t) && is_still(initial, final)) return FN(chs_p_finish_translation)(p.travel, out, T);
+  find(&t, &q);
+  if (may_be_plain && t.ordinary && plain(&t, &q)) return write_apart(&p, &q, out, T);
+  if (dot(q.v, q.v) == 0) return FN(chs_p_finish_translation)(p.travel, out, T);
+  return finish(&p, condition_of(&t), &q, out, T);
+}
+
+/* The same where every instruction counts, for all that is plain; for the rest it starts over. */
+typedef int solver(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]);
+
+static INLINE int solve(method *find, solver *with_care, const real initial[9], const real final[9], real tolerance,
+                        screw *out, real T[16]) {
+  triangles t;
+  place p;
+  quaternion q;
+  read_sides(initial, final, &t);
+  measure(&t);
+  find(&t, &q);
+  read_place(initial, final, &t, &p);
+  measure_reach(&p, &t);
+  if (ordinary(&t, tolerance) && plain(&t, &q)) return write_plain(&p, &q, out, T);
+  return with_care(initial, final, tolerance, out, T);
 }
 
 /* The dual basis of the sides a and c before, and the unit normal's share: with N = a x c, that is c x N, N x a and N,
@@ -238,11 +333,15 @@ static INLINE void dual_basis(const triangles *t, real a[3], real c[3], real n[3
 /* R = x a^T + y c^T + z n^T. */
 static INLINE void sum_of_products(const real x[3], const real a[3], const real y[3], const real c[3], const real z[3],
                                    const real n[3], real R[9]) {
-  for (int i = 0; i < 3; i++) {
-    R[3 * i] = x[i] * a[0] + y[i] * c[0] + z[i] * n[0];
-    R[3 * i + 1] = x[i] * a[1] + y[i] * c[1] + z[i] * n[1];
-    R[3 * i + 2] = x[i] * a[2] + y[i] * c[2] + z[i] * n[2];
-  }
+  R[0] = x[0] * a[0] + y[0] * c[0] + z[0] * n[0];
+  R[1] = x[0] * a[1] + y[0] * c[1] + z[0] * n[1];
+  R[2] = x[0] * a[2] + y[0] * c[2] + z[0] * n[2];
+  R[3] = x[1] * a[0] + y[1] * c[0] + z[1] * n[0];
+  R[4] = x[1] * a[1] + y[1] * c[1] + z[1] * n[1];
+  R[5] = x[1] * a[2] + y[1] * c[2] + z[1] * n[2];
+  R[6] = x[2] * a[0] + y[2] * c[0] + z[2] * n[0];
+  R[7] = x[2] * a[1] + y[2] * c[1] + z[2] * n[1];
+  R[8] = x[2] * a[2] + y[2] * c[2] + z[2] * n[2];
 }
 
 /* Eq. 12 and 13 with both origins moved along the normal of the points' plane: Q takes the sides to what they became,
@@ -269,56 +368,50 @@ static INLINE int rodrigues(const triangles *t, quaternion *q) {
   return qq * qq >= vv * t->area;
 }
 
-/* Eq. 23 on triangles that were examined. */
-static int clear_rodrigues(const triangles *t, quaternion *q) {
+/* Apart, where speed is not all. */
+static APART void laub_shiflett_apart(const triangles *t, quaternion *q) { laub_shiflett(t, q); }
+
+/* Eq. 23 on triangles that were read with care. */
+static SELDOM int clear_rodrigues(const triangles *t, quaternion *q) {
   return rodrigues(t, q) && well_shaped(t) && plain(t, q);
 }
 
-/* The careful way of both methods. */
-static SELDOM int with_care(const real initial[9], const real final[9], real tolerance, int by_rodrigues, screw *out,
-                            real T[16]) {
-  triangles t;
-  examination x;
-  quaternion q;
-  look_at(initial, final, &t);
-  int status = examine(initial, final, tolerance, &t, &x);
-  if (status != CHS_OK) return status;
-  if (!(by_rodrigues && clear_rodrigues(&t, &q))) laub_shiflett(&t, &q);
-  return finish(initial, final, tolerance, &t, &x, &q, out, T);
+static SELDOM void bottema_roth_apart(const triangles *t, quaternion *q) {
+  if (!clear_rodrigues(t, q)) laub_shiflett_apart(t, q);
 }
 
-static INLINE int solve(const real initial[9], const real final[9], real tolerance, int by_rodrigues, screw *out,
-                        real T[16]) {
-  triangles t;
-  quaternion q;
-  read_sides(initial, final, &t);
-  measure(&t);
-  if (!(by_rodrigues && rodrigues(&t, &q))) laub_shiflett(&t, &q);
-  read_centers(initial, final, &t);
-  if (!(ordinary(&t, tolerance) & plain(&t, &q))) return with_care(initial, final, tolerance, by_rodrigues, out, T);
-  write_plain(&t, &q, out, T);
-  return CHS_OK;
+static SELDOM int bottema_roth_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
+                                         real T[16]) {
+  return solve_with_care(bottema_roth_apart, 0, initial, final, tolerance, out, T);
+}
+
+static SELDOM int laub_shiflett_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
+                                          real T[16]) {
+  return solve_with_care(laub_shiflett_apart, 0, initial, final, tolerance, out, T);
 }
 
 /* The order of the points makes no difference to (v; w), and an axis parallel to their plane makes it 0/0 in any order.
  * So near to it the sides say less about the rotation than the normal does; and where they changed their lengths rather
  * than turned, by measuring errors, (v; w) would be those errors magnified. */
+static INLINE void bottema_roth(const triangles *t, quaternion *q) {
+  if (!rodrigues(t, q)) laub_shiflett(t, q);
+}
+
 int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  return solve(initial, final, tolerance, 1, out, T);
+  return solve(bottema_roth, bottema_roth_with_care, initial, final, tolerance, out, T);
 }
 
 int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  return solve(initial, final, tolerance, 0, out, T);
+  return solve(laub_shiflett, laub_shiflett_with_care, initial, final, tolerance, out, T);
 }
 
 int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9], real tolerance, int *order) {
   triangles t;
-  examination x;
+  place p;
   quaternion q;
   int status = FN(chs_motion_bottema_roth)(initial, final, tolerance, NULL, NULL);
   if (status < 0) return status;
-  look_at(initial, final, &t);
-  if (examine(initial, final, tolerance, &t, &x) != CHS_OK || !clear_rodrigues(&t, &q)) {
+  if (read_triangles(initial, final, tolerance, &t, &p) != CHS_OK || !clear_rodrigues(&t, &q)) {
     *order = -1;
     return status;
   }
@@ -328,7 +421,7 @@ int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9]
   copy(a, 3, b);
   add_to(b, c);
   real first = dot(a, a), second = dot(b, b), third = dot(c, c);
-  *order = third > larger(first, second) ? 2 : second > first;
+  *order = third > (first > second ? first : second) ? 2 : second > first;
   return status;
 }
 
@@ -338,7 +431,7 @@ int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9]
  * they are. Only a fourth one, off the plane, tells them apart: the end of the normal leaves the smallest residual
  * where each row has the sign of a component of af x cf. A row that is all but parallel to the plane has half of its
  * digits in the root, and so its part along the normal comes from the others, that is from eq. 5b. */
-static void beggs(const triangles *t, quaternion *q) {
+static APART void beggs(const triangles *t, quaternion *q) {
   real a[3], c[3], n[3], Nf[3], R[9], squared[3], along[3];
   dual_basis(t, a, c, n);
   cross(t->af, t->cf, Nf);
@@ -399,7 +492,7 @@ static void least_squares_turn(const flat *f, const flat *g, real *x, real *y) {
  * orthogonal factor: in frames of the two planes that is a turn, without eigenvectors, equal d or division by a small
  * one. With both normals on the side from which the points go round alike det M > 0, so that it is never a reflection.
  * */
-static void spoor_veldpaus(const triangles *t, quaternion *q) {
+static APART void spoor_veldpaus(const triangles *t, quaternion *q) {
   flat f, g;
   real x, y;
   flatten(t->a, t->c, &f);
@@ -420,7 +513,7 @@ static real moments(const flat *f, real *x, real *y) {
 /* Eq. 6 to 8. The normal of the plane is one principal axis; the other two turn in it by half the angle between the
  * moments before and after. Of the two turns that leaves, the smaller matches the axes to the points. Moments that are
  * equal, or nearly, leave the axes free: those are then taken that fit the points best. */
-static void angeles(const triangles *t, quaternion *q) {
+static APART void angeles(const triangles *t, quaternion *q) {
   flat f, g;
   real x, y, xf, yf;
   flatten(t->a, t->c, &f);
@@ -438,13 +531,7 @@ static void angeles(const triangles *t, quaternion *q) {
 
 #define METHOD(name)                                                                                              \
   int FN(chs_motion_##name)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) { \
-    triangles t;                                                                                                  \
-    examination x;                                                                                                \
-    quaternion q;                                                                                                 \
-    int status = read_triangles(initial, final, tolerance, &t, &x);                                               \
-    if (status != CHS_OK) return status;                                                                          \
-    name(&t, &q);                                                                                                 \
-    return finish(initial, final, tolerance, &t, &x, &q, out, T);                                                 \
+    return solve_with_care(name, 1, initial, final, tolerance, out, T);                                           \
   }
 
 METHOD(angeles)

@@ -29,15 +29,18 @@
 #endif
 
 /* INLINE is for the few functions that are worth their copies where they are called, but not where size counts (-Os, as
- * gcc and clang tell); SELDOM for those that should neither lie nor take stack in the way of the ordinary case. */
+ * gcc and clang tell); APART for those that should not be copied, nor take stack where they are not called; SELDOM for
+ * those, too, that should not lie in the way of the ordinary case. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define INLINE inline __attribute__((always_inline))
 #else
 #define INLINE inline
 #endif
 #if defined(__GNUC__)
+#define APART __attribute__((noinline))
 #define SELDOM __attribute__((noinline, cold))
 #else
+#define APART
 #define SELDOM
 #endif
 
