@@ -40,10 +40,11 @@ END
 
 run 0 compare good
 err_empty
-out_has 'so3_hat              double ordinary        1     0.000     0.000       0  PASS  whole'
-out_has 'so3_exp.diagonal     float  example         1     0.000     0.000       2  PASS  zero'
-out_has 'so3_exp.off_diagonal float  degenerate      1         -         -       -  PASS  -'
-out_has 'PASS: functions 2, files 2, cases 4, failed 0; '
+out_has 'so3_hat                    double ordinary        1     0.000     0.000       0  PASS  whole'
+out_has 'so3_exp.diagonal           float  example         1     0.000     0.000       2  PASS  zero'
+out_has 'so3_exp.off_diagonal       float  degenerate      1         -         -       -  PASS  -'
+out_has 'so3_exp_array.diagonal     float  example         1     0.000     0.000       2  PASS  zero'
+out_has 'PASS: functions 3, files 2, cases 6, failed 0; '
 out_has 'not compared, no vectors: so3_vee, so3_log, '
 cp out all
 
@@ -54,6 +55,8 @@ out_lacks whole
 run 0 compare --only so3_hat good
 out_has 'PASS: functions 1, files 1, cases 2, failed 0; '
 out_lacks so3_exp
+run 0 compare --only so3_exp_array good
+out_has 'PASS: functions 1, files 1, cases 2, failed 0; '
 sed 's/$/\r/' good/so3_hat.f64.txt >dos
 run 0 compare - <dos
 out_has ' cases 2, failed 0; '
@@ -61,7 +64,7 @@ out_has ' cases 2, failed 0; '
 run 0 compare --csv rows.csv --json report.json good
 file_has rows.csv 'so3_exp,off_diagonal,float,example,1,0,0,0,2,zero,PASS'
 file_has rows.csv 'so3_exp,diagonal,float,degenerate,1,0,,,,,PASS'
-file_has report.json '"cases": 4,'
+file_has report.json '"cases": 6,'
 file_has report.json '"worst_case": "whole", "pass": true'
 run 2 compare --csv nowhere/rows.csv good
 err_is 'chasles: cannot write nowhere/rows.csv: No such file or directory'
@@ -86,24 +89,24 @@ sed 's/case zero example 0/case zero example 2/' good/so3_exp.f32.txt >status.f3
 run 1 compare --json report.json status.f32.txt
 out_has 'status.f32.txt:8: so3_exp float zero: wrong status, expected 2 ('
 out_has '), got 0 ('
-out_has 'so3_exp.diagonal     float  example         1     0.000     0.000       2  FAIL  zero'
+out_has 'so3_exp.diagonal           float  example         1     0.000     0.000       2  FAIL  zero'
 file_has report.json '"fault": "wrong status", "expected": [2], "got": 0}'
 
 sed 's/out 0x1p+0 0 /out 0x1p+0 0x1.8p-22 /' good/so3_exp.f32.txt >near.f32.txt
 run 1 compare near.f32.txt
-out_has 'so3_exp.diagonal     float  example         1     3.000     3.000       2  FAIL  zero'
+out_has 'so3_exp.diagonal           float  example         1     3.000     3.000       2  FAIL  zero'
 sed 's/out 0x1p+0 0 /out 0x1p+0 -0x1p-22 /' good/so3_exp.f32.txt >near.f32.txt
 run 0 compare near.f32.txt
-out_has 'so3_exp.diagonal     float  example         1     2.000     2.000       2  PASS  zero'
+out_has 'so3_exp.diagonal           float  example         1     2.000     2.000       2  PASS  zero'
 
 # The norm of a group, and the wider promise beyond pi.
 sed -e 's/diagonal max/diagonal norm/' -e 's/0x1p+0 0 /0x1p+0 0x1.8p-22 /' -e 's/ 0x1p+0 0 / 0x1p+0 0x1p-21 /' \
   good/so3_exp.f32.txt >norm.f32.txt
 run 1 compare norm.f32.txt
-out_has 'so3_exp.diagonal     float  example         1     5.000     5.000       2  FAIL  zero'
+out_has 'so3_exp.diagonal           float  example         1     5.000     5.000       2  FAIL  zero'
 sed -e 's/zero example/zero far/' -e 's/out 0x1p+0 0 /out 0x1p+0 0x1.8p-22 /' good/so3_exp.f32.txt >far.f32.txt
 run 0 compare far.f32.txt
-out_has 'so3_exp.diagonal     float  far             1     3.000     3.000       4  PASS  zero'
+out_has 'so3_exp.diagonal           float  far             1     3.000     3.000       4  PASS  zero'
 
 # Nothing to read.
 run 2 compare nowhere

@@ -1,4 +1,5 @@
-# The registry holds every function of the public headers and reads every promise they state.
+# The registry holds every function of the public headers and reads every promise they state; there are vectors for all,
+# those of the single function for an array form.
 include=$1/include/chasles
 registry=$1/tools/chasles/functions.def
 missing=0
@@ -13,6 +14,7 @@ functions=$(sed -n 's/^[a-z]* chs_\([a-z0-9_]*\)(\(const \)\{0,1\}\(double\|chs_
 [ -n "$functions" ] || lacks 'a function, or no prototype was found'
 for name in $functions; do
   grep -q "^FUNCTION($name, " "$registry" || lacks "chs_$name"
+  [ -f "$1/tests/vectors/${name%_array}.f64.txt" ] || lacks "vectors of chs_$name"
 done
 
 promises=$(sed -n 's/^#define CHS_EPS_\([A-Z0-9_]*\) .*/\1/p' "$include"/*.h)

@@ -21,7 +21,8 @@ const char compare_help[] =
     "exact ones. For each function, group of outputs, precision and band of inputs it prints the number of cases,\n"
     "the largest and the mean error in eps of the format (2^-52 for double, 2^-23 for float), the error that the\n"
     "public header promises, PASS or FAIL, and the name of the worst case. Statuses must be exactly those expected,\n"
-    "and on an error status no byte of the outputs may change.\n"
+    "and on an error status no byte of the outputs may change. The array form of a function is called for 17 copies\n"
+    "of each input; it must answer for all alike, and is compared as the function is.\n"
     "\n"
     "With --device the functions are called on a controller, or an emulated one, that runs the program of\n"
     "tools/firmware, and its results are compared; a column says whether their bits and statuses equal those of this\n"
@@ -85,10 +86,13 @@ static void progress_end(const struct progress *progress) {
   if (progress->shown) fputs("\r\033[K", stderr);
 }
 
+enum { FORMS = 2 };
+
 /* Cases that are read ahead, because a device takes many at a time. */
 struct batch {
-  struct device *device; /* NULL: the library in this program */
-  FILE *counts;          /* what each call took; NULL: nobody asked */
+  const struct function *forms[FORMS]; /* what is called: the function, its array form; NULL where not wanted */
+  struct device *device;               /* NULL: the library in this program */
+  FILE *counts;                        /* what each call took; NULL: nobody asked */
   int space;
   int count;
   struct vector_case *records;
@@ -118,10 +122,16 @@ static void print_count(FILE *file, const struct vectors *vectors, const struct 
           record->name, call->answer.status, (unsigned long)call->count);
 }
 
-/* Evaluates the cases read so far, and forgets them. */
-static bool batch_compare(struct batch *batch, struct tally *tally, const char *name, const struct vectors *vectors) {
+/* Chooses the forms of a function; false when there are none. */
+static bool batch_wants(struct batch *batch, const struct selection *only, const struct function *function) {
+  const struct function *array = find_array_form(function);
+  batch->forms[0] = selection_has(only, function) ? function : NULL;
+  batch->forms[1] = array != NULL && selection_has(only, array) ? array : NULL;
+  return batch->forms[0] != NULL || batch->forms[1] != NULL;
+}
+
+static bool batch_call(struct batch *batch, struct tally *tally, const char *name, const struct vectors *vectors) {
   const struct function *function = vectors->function;
-  for (int i = 0; i < batch->count; ++i) batch->calls[i].in = batch->records[i].in;
   if (batch->device != NULL &&
       !device_evaluate(batch->device, function, vectors->precision, batch->calls, batch->count)) {
     return false;
@@ -133,8 +143,22 @@ static bool batch_compare(struct batch *batch, struct tally *tally, const char *
     if (!tally_add(tally, name, vectors, record, &here, batch->device == NULL ? NULL : &batch->calls[i])) return false;
     if (batch->counts != NULL) print_count(batch->counts, vectors, record, &batch->calls[i]);
   }
-  batch->count = 0;
   return true;
+}
+
+/* Evaluates the cases read so far, and forgets them. */
+static bool batch_compare(struct batch *batch, struct tally *tally, const char *name, struct vectors *vectors) {
+  const struct function *single = vectors->function;
+  bool good = true;
+  for (int i = 0; i < batch->count; ++i) batch->calls[i].in = batch->records[i].in;
+  for (int i = 0; good && i < FORMS; ++i) {
+    if (batch->forms[i] == NULL) continue;
+    vectors->function = batch->forms[i];
+    good = batch_call(batch, tally, name, vectors);
+  }
+  vectors->function = single;
+  batch->count = 0;
+  return good;
 }
 
 static bool compare_cases(struct tally *tally, const char *name, struct vectors *vectors, struct batch *batch,
@@ -158,7 +182,7 @@ static bool compare_files(struct tally *tally, const struct options *options, st
     progress_show(&progress, i + 1, options->paths.count, tally);
     good = vectors_open(&vectors, name);
     if (!good) break;
-    if (selection_has(&options->only, vectors.function)) {
+    if (batch_wants(batch, &options->only, vectors.function)) {
       ++tally->files;
       good = compare_cases(tally, name, &vectors, batch, &progress, i + 1, options->paths.count);
     }

@@ -13,6 +13,9 @@
 #include "functions.def"
 #undef FUNCTION
 
+/* Of an element, for an array form: more than one of its blocks; and the most outputs of one. */
+enum { COPIES = 17, MOST_COPIED = 16 };
+
 #define REAL double
 #define SCREW chs_screw
 #define SUMS chs_motion_sums
@@ -65,6 +68,19 @@ int same_text(const char *a, const char *b) {
 const struct function *find_function(const char *name) {
   for (int i = 0; i < function_count; ++i) {
     if (same_text(functions[i].name, name)) return &functions[i];
+  }
+  return NULL;
+}
+
+const struct function *find_array_form(const struct function *single) {
+  for (int i = 0; i < function_count; ++i) {
+    const char *a = single->name;
+    const char *b = functions[i].name;
+    while (*a != '\0' && *a == *b) {
+      ++a;
+      ++b;
+    }
+    if (*a == '\0' && same_text(b, "_array")) return &functions[i];
   }
   return NULL;
 }

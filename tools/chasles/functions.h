@@ -36,6 +36,9 @@ extern const int function_count;
 /* The function of that name, or NULL. */
 const struct function *find_function(const char *name);
 
+/* The function that does the same for many elements, or NULL: it answers as this one does. */
+const struct function *find_array_form(const struct function *single);
+
 int same_text(const char *a, const char *b);
 
 /* The promise for that group of the function's outputs, or NULL. */

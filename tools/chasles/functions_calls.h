@@ -193,6 +193,67 @@ static int LOCAL(order_of_points)(const REAL *in, REAL *out) {
   return status;
 }
 
+/* What an array form gives for copies of one element. Each starts as what the output array holds. */
+struct LOCAL(copies) {
+  REAL y[COPIES * MOST_COPIED];
+  int statuses[COPIES];
+};
+
+static void LOCAL(begin_copies)(struct LOCAL(copies) * copies, int outputs, const REAL *out) {
+  for (int i = 0; i < COPIES; ++i) {
+    for (int k = 0; k < outputs; ++k) copies->y[i * outputs + k] = out[k];
+    copies->statuses[i] = CHS_OK;
+  }
+}
+
+/* The answer that all agree on, or one that no function gives. */
+static int LOCAL(end_copies)(const struct LOCAL(copies) * copies, int outputs, int status, REAL *out) {
+  const int size = outputs * (int)sizeof(REAL);
+  const unsigned char *bytes = (const unsigned char *)copies->y;
+  for (int i = 0; i < COPIES; ++i) {
+    if (copies->statuses[i] != status) return -99;
+    for (int k = 0; k < size; ++k) {
+      if (bytes[i * size + k] != bytes[k]) return -99;
+    }
+  }
+  for (int k = 0; k < outputs; ++k) out[k] = copies->y[k];
+  return status;
+}
+
+static int LOCAL(one_by_one)(int (*array)(size_t, const REAL *, size_t, REAL *, size_t, int *), int outputs,
+                             const REAL *in, REAL *out) {
+  struct LOCAL(copies) copies;
+  LOCAL(begin_copies)(&copies, outputs, out);
+  const int status = array(COPIES, in, 0, copies.y, (size_t)outputs, copies.statuses);
+  return LOCAL(end_copies)(&copies, outputs, status, out);
+}
+
+/* A pose and something else. */
+static int LOCAL(two_by_two)(void (*array)(size_t, const REAL *, size_t, const REAL *, size_t, REAL *, size_t),
+                             int outputs, const REAL *in, REAL *out) {
+  struct LOCAL(copies) copies;
+  LOCAL(begin_copies)(&copies, outputs, out);
+  array(COPIES, in, 0, in + 16, 0, copies.y, (size_t)outputs);
+  return LOCAL(end_copies)(&copies, outputs, CHS_OK, out);
+}
+
+static int LOCAL(tilts)(const REAL *in, REAL *out) {
+  struct LOCAL(copies) copies;
+  REAL alpha[COPIES];
+  REAL beta[COPIES];
+  LOCAL(begin_copies)(&copies, 2, out);
+  for (int i = 0; i < COPIES; ++i) {
+    alpha[i] = out[0];
+    beta[i] = out[1];
+  }
+  const int status = LIB(tilt_error_array)(COPIES, in, 0, in + 9, 0, alpha, beta, copies.statuses);
+  for (int i = 0; i < COPIES; ++i) {
+    copies.y[2 * i] = alpha[i];
+    copies.y[2 * i + 1] = beta[i];
+  }
+  return LOCAL(end_copies)(&copies, 2, status, out);
+}
+
 /* Plain algebra returns void: its status is always 0. */
 #define ALWAYS_OK(call) ((call), CHS_OK)
 

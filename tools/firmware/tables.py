@@ -8,7 +8,8 @@ flash         bytes that a program links because it calls this one function, -Os
 stack         most bytes of stack that a call takes, all that it calls included but for a function of the caller's own,
               at -O2
 instructions  least, typical and most of a call over all reference vectors at -O2, net of a call that does nothing;
-              typical is the median, and it and the least are those of calls without an error
+              typical is the median, and it and the least are those of calls without an error; an array form is called
+              for 17 elements
 
 Everything is built anew below --build. The figures are the same on every run and every machine with the same compiler
 and emulator. --check fails where a figure has grown, or is missing; what has shrunk is printed, for --write to record.
