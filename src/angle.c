@@ -51,7 +51,4 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
   return CHS_OK;
 }
 
-real FN(chs_p_angle_of)(real y, real x) {
-  arc a = arc_of(y, ABS(x));
-  return x < 0 ? (CHS_PI_A - a.base) + (CHS_PI_B - a.rest) : a.base + a.rest;
-}
+real FN(chs_p_angle_of)(real y, real x) { return angle_from(y, x); }

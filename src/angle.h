@@ -21,6 +21,7 @@
 #define cosine_of(...) FN(chs_p_cosine_of)(__VA_ARGS__)
 #define sine_and_versine(...) FN(chs_p_sine_and_versine)(__VA_ARGS__)
 #define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
+#define angle_from(...) FN(chs_p_angle_from)(__VA_ARGS__)
 #define signed_angle_of(...) FN(chs_p_signed_angle_of)(__VA_ARGS__)
 
 #ifdef CHS_SINGLE
@@ -146,7 +147,12 @@ SHARED arc arc_of(real y, real x) {
   return a;
 }
 
-/* atan2(y, x) for y >= 0 and any x, not both 0: in [0, pi]. */
+/* atan2(y, x) for y >= 0 and any x, not both 0: in [0, pi]. One to inline, and one to call. */
+SHARED real angle_from(real y, real x) {
+  arc a = arc_of(y, ABS(x));
+  return x < 0 ? (CHS_PI_A - a.base) + (CHS_PI_B - a.rest) : a.base + a.rest;
+}
+
 real FN(chs_p_angle_of)(real y, real x);
 
 /* atan2(y, x) in [-pi, pi], the sign of y also where y is a zero. */

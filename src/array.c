@@ -16,11 +16,13 @@
 #pragma GCC optimize("O3", "no-trapping-math", "no-math-errno")
 #endif
 
+#include <chasles/motion.h>
 #include <chasles/se3.h>
 #include <chasles/tilt.h>
 
 #include "pose.h"
-#include "rotation.h"
+#include "screw_private.h"
+#include "tilt_private.h"
 
 enum { LANES = 16 };
 
@@ -50,6 +52,8 @@ static INLINE void scatter(real x[][LANES], int size, int lane, real *to) {
   for (int k = 0; k < size; k++) to[k] = k < 12 ? x[k][lane] : k < 15 ? K(0.0) : K(1.0);
 }
 
+static INLINE int lanes_left(size_t n, size_t i) { return n - i < LANES ? (int)(n - i) : LANES; }
+
 typedef void kernel(block *b);
 typedef int single(const real *in, real *out);
 
@@ -59,7 +63,7 @@ static INLINE int for_all(size_t n, const real *x, size_t x_stride, int inputs, 
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
     block b;
-    int count = n - i < LANES ? (int)(n - i) : LANES;
+    int count = lanes_left(n, i);
     if (VECTORS) {
       gather(x + i * x_stride, x_stride, inputs, count, b.x);
       ordinary(&b);
@@ -79,68 +83,89 @@ static INLINE int for_all(size_t n, const real *x, size_t x_stride, int inputs, 
 }
 
 /* Three numbers of a lane, from number `first`. */
-static INLINE void put(block *b, int lane, int first, const real x[3]) {
-  b->x[first][lane] = x[0];
-  b->x[first + 1][lane] = x[1];
-  b->x[first + 2][lane] = x[2];
+static INLINE void get(real x[][LANES], int lane, int first, real v[3]) {
+  v[0] = x[first][lane];
+  v[1] = x[first + 1][lane];
+  v[2] = x[first + 2][lane];
+}
+
+static INLINE void put(const real v[3], int lane, int first, real x[][LANES]) {
+  x[first][lane] = v[0];
+  x[first + 1][lane] = v[1];
+  x[first + 2][lane] = v[2];
+}
+
+/* Nine numbers in rows of three, which start so far apart: 3 in a rotation, 4 in a pose. */
+static INLINE void get_rows(real x[][LANES], int lane, int apart, real R[9]) {
+  get(x, lane, 0, R);
+  get(x, lane, apart, R + 3);
+  get(x, lane, 2 * apart, R + 6);
+}
+
+static INLINE void put_rows(const real R[9], int lane, int apart, real x[][LANES]) {
+  put(R, lane, 0, x);
+  put(R + 3, lane, apart, x);
+  put(R + 6, lane, 2 * apart, x);
 }
 
 static void so3_exp(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real w[3] = {b->x[0][lane], b->x[1][lane], b->x[2][lane]}, R[9];
+    real w[3], R[9];
+    get(b->x, lane, 0, w);
     half_angle half = half_angle_within_pi(squared_length(w));
     rotation_from_half_angle(w, half, R);
-    put(b, lane, 0, R);
-    put(b, lane, 3, R + 3);
-    put(b, lane, 6, R + 6);
+    put_rows(R, lane, 3, b->x);
     b->margin[lane] = CHS_PI_A * CHS_PI_A - half.tt;
   }
 }
 
+/* 0, or NaN where a number is not finite. */
+static INLINE real nothing(const real v[3]) { return K(0.0) * v[0] + K(0.0) * v[1] + K(0.0) * v[2]; }
+
 static void se3_exp(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real w[3] = {b->x[0][lane], b->x[1][lane], b->x[2][lane]}, R[9];
-    real v[3] = {b->x[3][lane], b->x[4][lane], b->x[5][lane]}, p[3];
+    real w[3], v[3], R[9], p[3];
+    get(b->x, lane, 0, w);
+    get(b->x, lane, 3, v);
     half_angle half = half_angle_within_pi(squared_length(w));
     rotation_from_half_angle(w, half, R);
     jacobian_times(w, half, v, p);
-    put(b, lane, 0, R);
+    put_rows(R, lane, 4, b->x);
     b->x[3][lane] = p[0];
-    put(b, lane, 4, R + 3);
     b->x[7][lane] = p[1];
-    put(b, lane, 8, R + 6);
     b->x[11][lane] = p[2];
-    /* A translation beyond the format's range makes a NaN here. */
-    b->margin[lane] = CHS_PI_A * CHS_PI_A - half.tt - (K(0.0) * p[0] + K(0.0) * p[1] + K(0.0) * p[2]);
+    b->margin[lane] = (CHS_PI_A * CHS_PI_A - half.tt) + nothing(p);
   }
+}
+
+static INLINE int is_rotation(const real R[9]) { return sum_of_offsets(R) <= (real)CHS_SO3_FAR; }
+
+/* The logarithm of what may be a rotation; positive where it is one, and not beside a half-turn. */
+static INLINE real log_of(const real R[9], real w[3], real *k) {
+  quaternion q = quaternion_of(R);
+  real length = SQRT(dot(q.v, q.v)), margin = q.w - EPS * length;
+  rotation_vector_of(&q, length, w, k);
+  return is_rotation(R) ? margin : K(0.0);
 }
 
 static void so3_log(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real R[9] = {b->x[0][lane], b->x[1][lane], b->x[2][lane], b->x[3][lane], b->x[4][lane],
-                 b->x[5][lane], b->x[6][lane], b->x[7][lane], b->x[8][lane]};
-    real w[3], k;
-    quaternion q = quaternion_of(R);
-    real length = SQRT(dot(q.v, q.v)), off = sum_of_offsets(R), margin = q.w - EPS * length;
-    rotation_vector_of(&q, length, w, &k);
-    put(b, lane, 0, w);
-    b->margin[lane] = off <= (real)CHS_SO3_FAR ? margin : K(0.0);
+    real R[9], w[3], k;
+    get_rows(b->x, lane, 3, R);
+    b->margin[lane] = log_of(R, w, &k);
+    put(w, lane, 0, b->x);
   }
 }
 
 static void se3_log(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real R[9] = {b->x[0][lane], b->x[1][lane], b->x[2][lane], b->x[4][lane], b->x[5][lane],
-                 b->x[6][lane], b->x[8][lane], b->x[9][lane], b->x[10][lane]};
-    real p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3], k;
-    quaternion q = quaternion_of(R);
-    real length = SQRT(dot(q.v, q.v)), off = sum_of_offsets(R), margin = q.w - EPS * length;
-    rotation_vector_of(&q, length, w, &k);
+    real R[9], p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3], k;
+    get_rows(b->x, lane, 4, R);
+    real margin = log_of(R, w, &k);
     inverse_jacobian_times(w, k, p, v);
-    put(b, lane, 0, w);
-    put(b, lane, 3, v);
-    margin -= K(0.0) * v[0] + K(0.0) * v[1] + K(0.0) * v[2];
-    b->margin[lane] = off <= (real)CHS_SO3_FAR ? margin : K(0.0);
+    put(w, lane, 0, b->x);
+    put(v, lane, 3, b->x);
+    b->margin[lane] = margin + nothing(v);
   }
 }
 
@@ -162,6 +187,7 @@ int FN(chs_se3_log_array)(size_t n, const real *T, size_t T_stride, real *V, siz
 
 void FN(chs_se3_compose_array)(size_t n, const real *A, size_t A_stride, const real *B, size_t B_stride, real *C,
                                size_t C_stride) {
+  /* Not in blocks: taking 24 numbers apart and putting 16 together costs more than the products. */
   for (size_t i = 0; i < n; i++) FN(chs_se3_compose)(A + i * A_stride, B + i * B_stride, C + i * C_stride);
 }
 
@@ -182,10 +208,70 @@ void FN(chs_se3_apply_array)(size_t n, const real *T, size_t T_stride, const rea
     move_points(n, pose, x, x_stride, y, y_stride);
 }
 
+/* Two rotations; then alpha, beta and what a block calls margin take the place of the first one's first row. */
+typedef struct pairs {
+  real nominal[9][LANES], actual[9][LANES];
+} pairs;
+
+enum { ALPHA, BETA, MARGIN };
+
+static void tilt_error(pairs *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real N[9], A[9];
+    get_rows(b->nominal, lane, 3, N);
+    get_rows(b->actual, lane, 3, A);
+    tilt_and_torsion t = tilt_and_torsion_of(N, A);
+    b->nominal[ALPHA][lane] = angle_from(t.sine, t.cosine);
+    b->nominal[BETA][lane] = angle_from(ABS(t.turned), t.straight);
+    int ordinary = is_rotation(N) & is_rotation(A) & !torsion_is_undefined(t);
+    b->nominal[MARGIN][lane] = ordinary ? K(1.0) : K(0.0);
+  }
+}
+
 int FN(chs_tilt_error_array)(size_t n, const real *nominal, size_t nominal_stride, const real *actual,
                              size_t actual_stride, real *alpha, real *beta, int *statuses) {
   answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i++)
-    note(&all, i, FN(chs_tilt_error)(nominal + i * nominal_stride, actual + i * actual_stride, alpha + i, beta + i));
+  for (size_t i = 0; i < n; i += LANES) {
+    pairs b;
+    int count = lanes_left(n, i);
+    if (VECTORS) {
+      gather(nominal + i * nominal_stride, nominal_stride, 9, count, b.nominal);
+      gather(actual + i * actual_stride, actual_stride, 9, count, b.actual);
+      tilt_error(&b);
+    }
+    for (int lane = 0; lane < count; lane++) {
+      size_t at = i + (size_t)lane;
+      int status = CHS_OK;
+      if (VECTORS && b.nominal[MARGIN][lane] > 0) {
+        alpha[at] = b.nominal[ALPHA][lane];
+        beta[at] = b.nominal[BETA][lane];
+      } else
+        status = FN(chs_tilt_error)(nominal + at * nominal_stride, actual + at * actual_stride, alpha + at, beta + at);
+      note(&all, at, status);
+    }
+  }
   return all.worst;
 }
+
+int FN(chs_screw_from_pose_array)(size_t n, const real *T, size_t T_stride, screw *screws, int *statuses) {
+  answers all = {statuses, CHS_OK};
+  for (size_t i = 0; i < n; i++) note(&all, i, FN(chs_screw_from_pose)(T + i * T_stride, screws + i));
+  return all.worst;
+}
+
+/* A method for three points, of which each function below names one, so that a program holds no other. */
+#define METHOD(name)                                                                                              \
+  int FN(chs_motion_##name##_array)(size_t n, const real *initial, size_t initial_stride, const real *final,      \
+                                    size_t final_stride, real tolerance, screw *screws, real *T, size_t T_stride, \
+                                    int *statuses) {                                                              \
+    answers all = {statuses, CHS_OK};                                                                             \
+    for (size_t i = 0; i < n; i++)                                                                                \
+      note(&all, i,                                                                                               \
+           FN(chs_motion_##name)(initial + i * initial_stride, final + i * final_stride, tolerance,               \
+                                 screws ? screws + i : NULL, T ? T + i * T_stride : NULL));                       \
+    return all.worst;                                                                                             \
+  }
+
+METHOD(bottema_roth)
+METHOD(laub_shiflett)
+METHOD(spoor_veldpaus)

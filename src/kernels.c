@@ -4,3 +4,4 @@
 #include "cofactors.h"
 #include "line_private.h"
 #include "motion_private.h"
+#include "tilt_private.h"

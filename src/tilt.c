@@ -1,27 +1,15 @@
 #include <chasles/tilt.h>
 
 #include "exact.h"
-#include "rotation.h"
+#include "tilt_private.h"
 
 int FN(chs_tilt_error)(const real nominal[9], const real actual[9], real *alpha, real *beta) {
   int status = first_error(check_rotation(nominal), check_rotation(actual));
   if (status != CHS_OK) return status;
-  /* Columns x, y, d of both, and how far each moved. The differences are exact for near orientations; products that the
-   * nominal axes' own rounding would spoil cancel before they are formed. */
-  const real *N = nominal, *A = actual;
-  real x0[3] = {N[0], N[3], N[6]}, y0[3] = {N[1], N[4], N[7]}, d0[3] = {N[2], N[5], N[8]};
-  real x1[3] = {A[0], A[3], A[6]}, y1[3] = {A[1], A[4], A[7]}, d1[3] = {A[2], A[5], A[8]};
-  real dx[3], dy[3], dd[3], tilted[3];
-  subtract(x1, x0, dx);
-  subtract(y1, y0, dy);
-  subtract(d1, d0, dd);
-  cross(d0, dd, tilted);
-  real sine = norm(tilted, 3), cosine = dot(d0, d1);
-  real turned = dot(y0, dx) - dot(x0, dy), straight = dot(x0, x1) + dot(y0, y1);
-  real tilt = FN(chs_p_angle_of)(sine, cosine);
-  int undefined = cosine < 0 && ABS(turned) + ABS(straight) <= K(8.0) * EPS;
-  *beta = undefined ? K(0.0) : FN(chs_p_angle_of)(ABS(turned), straight);
-  *alpha = tilt;
+  tilt_and_torsion t = tilt_and_torsion_of(nominal, actual);
+  int undefined = torsion_is_undefined(t);
+  *alpha = FN(chs_p_angle_of)(t.sine, t.cosine);
+  *beta = undefined ? K(0.0) : FN(chs_p_angle_of)(ABS(t.turned), t.straight);
   return undefined ? CHS_TORSION_UNDEFINED : CHS_OK;
 }
 

@@ -133,6 +133,73 @@ static void test_tilt_error_is_the_single_one_also_with_one_nominal_for_all(void
   }
 }
 
+static void put_screw(const screw *s, real *flat) {
+  memcpy(flat, s->axis, sizeof s->axis);
+  memcpy(flat + 3, s->point, sizeof s->point);
+  flat[6] = s->translation;
+  flat[7] = s->angle;
+}
+
+/* The screws of the array form and of the single one, number by number, and the statuses. */
+static void assert_same_screws(const screw *one, const screw *other, int worst) {
+  for (int i = 0; i < N; i++) {
+    put_screw(one + i, expected + 8 * i);
+    put_screw(other + i, out + 8 * i);
+    ASSERT_STATUS(wanted[i], statuses[i]);
+  }
+  ASSERT_SAME_BITS(expected, out, 8 * N);
+  ASSERT_STATUS(worst_of(wanted), worst);
+}
+
+static void test_screw_from_pose_is_the_single_one_for_every_element(void) {
+  static screw one[N], other[N];
+  for (int round = 0; round < ROUNDS; round++) {
+    size_t stride = 16 + (size_t)round % 3;
+    make_poses(in, (int)stride, 4);
+    for (int i = 0; i < N; i++) wanted[i] = FN(chs_screw_from_pose)(in + (size_t)i * stride, one + i);
+    int worst = FN(chs_screw_from_pose_array)(N, in, stride, other, statuses);
+    assert_same_screws(one, other, worst);
+  }
+}
+
+typedef int method(const real initial[9], const real final[9], real tolerance, screw *s, real T[16]);
+typedef int array_method(size_t n, const real *initial, size_t initial_stride, const real *final, size_t final_stride,
+                         real tolerance, screw *screws, real *T, size_t T_stride, int *all);
+
+static void check_method(method *single, array_method *array, const real *initial, size_t initial_stride) {
+  static screw one[N], other[N];
+  static real T[16 * N], U[16 * N];
+  fill(T, 16 * N);
+  fill(U, 16 * N);
+  for (int i = 0; i < N; i++)
+    wanted[i] = single(initial + (size_t)i * initial_stride, in + 9 * i, K(1e-3), one + i, T + 16 * i);
+  int worst = array(N, initial, initial_stride, in, 9, K(1e-3), other, U, 16, statuses);
+  ASSERT_SAME_BITS(T, U, 16 * N);
+  assert_same_screws(one, other, worst);
+  fill(U, 16 * N);
+  ASSERT_STATUS(worst, array(N, initial, initial_stride, in, 9, K(1e-3), NULL, U, 16, NULL));
+  ASSERT_SAME_BITS(T, U, 16 * N);
+  ASSERT_STATUS(worst, array(N, initial, initial_stride, in, 9, K(1e-3), other, NULL, 0, statuses));
+  assert_same_screws(one, other, worst);
+}
+
+static void test_methods_for_three_points_are_the_single_ones_also_with_one_triangle_for_all(void) {
+  static real initial[9 * N];
+  for (int round = 0; round < ROUNDS; round++) {
+    size_t stride = round % 2 ? 0 : 9;
+    for (int i = 0; i < N; i++) {
+      real T[16];
+      random_pose(random_angle(i), T);
+      for (int k = 0; k < 9; k++) initial[9 * i + k] = (real)uniform(-1, 1);
+      for (int k = 0; k < 3; k++) FN(chs_se3_apply)(T, initial + (size_t)i * stride + 3 * k, in + 9 * i + 3 * k);
+      if (integer(0, 20) == 0) in[9 * i + integer(0, 8)] = integer(0, 1) ? (real)NAN : 2;
+    }
+    check_method(FN(chs_motion_bottema_roth), FN(chs_motion_bottema_roth_array), initial, stride);
+    check_method(FN(chs_motion_laub_shiflett), FN(chs_motion_laub_shiflett_array), initial, stride);
+    check_method(FN(chs_motion_spoor_veldpaus), FN(chs_motion_spoor_veldpaus_array), initial, stride);
+  }
+}
+
 static void test_no_elements_are_ok(void) {
   fill(out, N);
   fill(expected, N);
@@ -150,6 +217,8 @@ int main(void) {
   RUN_TEST(test_logs_are_the_single_ones_for_every_element);
   RUN_TEST(test_compose_and_apply_are_the_single_ones_also_in_place_and_with_one_pose_for_all);
   RUN_TEST(test_tilt_error_is_the_single_one_also_with_one_nominal_for_all);
+  RUN_TEST(test_screw_from_pose_is_the_single_one_for_every_element);
+  RUN_TEST(test_methods_for_three_points_are_the_single_ones_also_with_one_triangle_for_all);
   RUN_TEST(test_no_elements_are_ok);
   return SUITE_END();
 }

@@ -1,4 +1,4 @@
-/* chasles/array.h - many at once: the functions of so3.h, se3.h and tilt.h over arrays.
+/* chasles/array.h - many at once: functions of so3.h, se3.h, screw.h, motion.h and tilt.h over arrays.
  *
  * Each does to every element what the single function does, with the same bits and the same status. Where the processor
  * has vector instructions ordinary elements go through in blocks of 16, which compilers make them of. chasles.h has the
@@ -7,6 +7,7 @@
  *   n         how many elements; 0 is allowed.
  *   strides   from the start of an element to that of the next, in numbers, not bytes: 9 for rotations that follow one
  *             another. At least the size of an element, but for an input that is the same for all: there 0.
+ *   screws    one after the other.
  *   statuses  n answers of the single function, or NULL.
  *
  * An element that fails keeps its output. An output array may be the same as an input array where their elements start
@@ -16,6 +17,7 @@
 #ifndef CHASLES_ARRAY_H
 #define CHASLES_ARRAY_H
 
+#include <chasles/screw.h>
 #include <chasles/status.h>
 #include <stddef.h>
 
@@ -57,6 +59,31 @@ int chs_tilt_error_array(size_t n, const double *nominal, size_t nominal_stride,
                          size_t actual_stride, double *alpha, double *beta, int *statuses);
 int chs_tilt_error_arrayf(size_t n, const float *nominal, size_t nominal_stride, const float *actual,
                           size_t actual_stride, float *alpha, float *beta, int *statuses);
+
+/* screws_i of T_i, as chs_screw_from_pose. */
+int chs_screw_from_pose_array(size_t n, const double *T, size_t T_stride, chs_screw *screws, int *statuses);
+int chs_screw_from_pose_arrayf(size_t n, const float *T, size_t T_stride, chs_screwf *screws, int *statuses);
+
+/* The displacement that takes the three points initial_i to final_i, by a method of motion.h: initial_stride 0 gives
+ * where a body is that was once at initial. screws or T may be NULL. */
+int chs_motion_bottema_roth_array(size_t n, const double *initial, size_t initial_stride, const double *final,
+                                  size_t final_stride, double tolerance, chs_screw *screws, double *T, size_t T_stride,
+                                  int *statuses);
+int chs_motion_bottema_roth_arrayf(size_t n, const float *initial, size_t initial_stride, const float *final,
+                                   size_t final_stride, float tolerance, chs_screwf *screws, float *T, size_t T_stride,
+                                   int *statuses);
+int chs_motion_laub_shiflett_array(size_t n, const double *initial, size_t initial_stride, const double *final,
+                                   size_t final_stride, double tolerance, chs_screw *screws, double *T, size_t T_stride,
+                                   int *statuses);
+int chs_motion_laub_shiflett_arrayf(size_t n, const float *initial, size_t initial_stride, const float *final,
+                                    size_t final_stride, float tolerance, chs_screwf *screws, float *T, size_t T_stride,
+                                    int *statuses);
+int chs_motion_spoor_veldpaus_array(size_t n, const double *initial, size_t initial_stride, const double *final,
+                                    size_t final_stride, double tolerance, chs_screw *screws, double *T,
+                                    size_t T_stride, int *statuses);
+int chs_motion_spoor_veldpaus_arrayf(size_t n, const float *initial, size_t initial_stride, const float *final,
+                                     size_t final_stride, float tolerance, chs_screwf *screws, float *T,
+                                     size_t T_stride, int *statuses);
 
 #ifdef __cplusplus
 }

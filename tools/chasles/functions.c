@@ -14,7 +14,7 @@
 #undef FUNCTION
 
 /* Of an element, for an array form: more than one of its blocks; and the most outputs of one. */
-enum { COPIES = 17, MOST_COPIED = 16 };
+enum { COPIES = 17, MOST_COPIED = 24 };
 
 #define REAL double
 #define SCREW chs_screw

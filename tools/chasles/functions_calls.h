@@ -254,6 +254,28 @@ static int LOCAL(tilts)(const REAL *in, REAL *out) {
   return LOCAL(end_copies)(&copies, 2, status, out);
 }
 
+static int LOCAL(screws)(const REAL *in, REAL *out) {
+  struct LOCAL(copies) copies;
+  SCREW screws[COPIES];
+  LOCAL(begin_copies)(&copies, 8, out);
+  for (int i = 0; i < COPIES; ++i) screws[i] = LOCAL(get_screw)(out);
+  const int status = LIB(screw_from_pose_array)(COPIES, in, 0, screws, copies.statuses);
+  for (int i = 0; i < COPIES; ++i) LOCAL(put_screw)(&screws[i], copies.y + 8 * i);
+  return LOCAL(end_copies)(&copies, 8, status, out);
+}
+
+static int LOCAL(displacements)(int (*array)(size_t, const REAL *, size_t, const REAL *, size_t, REAL, SCREW *, REAL *,
+                                             size_t, int *),
+                                const REAL *in, REAL *out) {
+  struct LOCAL(copies) copies;
+  SCREW screws[COPIES];
+  LOCAL(begin_copies)(&copies, 24, out);
+  for (int i = 0; i < COPIES; ++i) screws[i] = LOCAL(get_screw)(out);
+  const int status = array(COPIES, in, 0, in + 9, 0, in[18], screws, copies.y + 8, 24, copies.statuses);
+  for (int i = 0; i < COPIES; ++i) LOCAL(put_screw)(&screws[i], copies.y + 24 * i);
+  return LOCAL(end_copies)(&copies, 24, status, out);
+}
+
 /* Plain algebra returns void: its status is always 0. */
 #define ALWAYS_OK(call) ((call), CHS_OK)
 
