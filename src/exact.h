@@ -5,7 +5,7 @@
 #include "real.h"
 
 #define two_sum(...) FN(chs_p_two_sum)(__VA_ARGS__)
-#define split(...) FN(chs_p_split)(__VA_ARGS__)
+#define upper(...) FN(chs_p_upper)(__VA_ARGS__)
 #define product(...) FN(chs_p_product)(__VA_ARGS__)
 #define add(...) FN(chs_p_add)(__VA_ARGS__)
 #define difference_of_products(...) FN(chs_p_difference_of_products)(__VA_ARGS__)
@@ -22,16 +22,14 @@ SHARED exact_sum two_sum(real a, real b) {
   return x;
 }
 
-SHARED void split(real a, real *high, real *low) {
+/* The upper half of a number's digits. */
+SHARED real upper(real a) {
   real c = SPLITTER * a;
-  *high = c - (c - a);
-  *low = a - *high;
+  return c - (c - a);
 }
 
 SHARED exact_sum product(real a, real b) {
-  real a1, a0, b1, b0, p = a * b;
-  split(a, &a1, &a0);
-  split(b, &b1, &b0);
+  real a1 = upper(a), a0 = a - a1, b1 = upper(b), b0 = b - b1, p = a * b;
   exact_sum x = {p, ((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0};
   return x;
 }

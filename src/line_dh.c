@@ -23,12 +23,6 @@ static void pose_of(const frame *f, real T[16]) {
   join(R, f->o, T);
 }
 
-static int check_pose(const real T[16]) {
-  real R[9], p[3];
-  part(T, R, p);
-  return first_error(check_rotation(R), finiteness(p, 3));
-}
-
 static int arguments_are_right(int n, int convention) {
   return n >= 1 && (convention == CHS_DH_STANDARD || convention == CHS_DH_MODIFIED);
 }
@@ -82,7 +76,7 @@ int FN(chs_line_from_dh)(int n, int convention, const real base[16], const real 
   real end[16], B[16], E[16];
   copy(base ? base : identity, 12, B);
   copy(tool ? tool : identity, 12, E);
-  int status = first_error(check_pose(B), check_pose(E));
+  int status = first_error(FN(chs_p_check_pose)(B), FN(chs_p_check_pose)(E));
   status = first_error(status, finiteness(dh, 4 * n));
   if (status != CHS_OK) return status;
   for (int i = 0; i < n; i++)
@@ -236,7 +230,7 @@ int FN(chs_line_to_dh)(int n, int convention, const real *axes, const real home[
   if (!arguments_are_right(n, convention)) return CHS_ERR_ARGUMENT;
   chain c = {n, convention, axes, {0}, {0}, tolerance > ROUNDING ? tolerance : ROUNDING, 0};
   real R[9], B[16], E[16];
-  int status = first_error(check_pose(home), finiteness(&tolerance, 1));
+  int status = first_error(FN(chs_p_check_pose)(home), finiteness(&tolerance, 1));
   for (int i = 0; i < n; i++) status = first_error(status, check_line(axes + 6 * i));
   if (status != CHS_OK) return status;
   if (tolerance < 0) return CHS_ERR_ARGUMENT;

@@ -2,9 +2,10 @@
 #ifndef CHASLES_POSE_H
 #define CHASLES_POSE_H
 
-#include "vec3.h"
+#include "rotation.h"
 
 #define part(...) FN(chs_p_part)(__VA_ARGS__)
+#define read_pose(...) FN(chs_p_read_pose)(__VA_ARGS__)
 #define join(...) FN(chs_p_join)(__VA_ARGS__)
 #define copy_row(...) FN(chs_p_copy_row)(__VA_ARGS__)
 #define combine_rows(...) FN(chs_p_combine_rows)(__VA_ARGS__)
@@ -26,6 +27,14 @@ SHARED void part(const real T[16], real R[9], real p[3]) {
   R[8] = T[10];
   p[2] = T[11];
 }
+
+/* The parts of what should be a pose, and CHS_OK or why it is none. */
+SHARED int read_pose(const real T[16], real R[9], real p[3]) {
+  part(T, R, p);
+  return first_error(check_rotation(R), finiteness(p, 3));
+}
+
+int FN(chs_p_check_pose)(const real T[16]);
 
 SHARED void join(const real R[9], const real p[3], real T[16]) {
   T[0] = R[0];

@@ -1,4 +1,4 @@
-#include "rotation.h"
+#include "pose.h"
 
 real FN(chs_p_deviation)(const real R[9]) {
   real off[6], poison = 0;
@@ -20,4 +20,9 @@ int FN(chs_p_rotation_status)(const real R[9], real tolerance) {
   if (status != CHS_OK) return status;
   if (determinant_sign(R) < 0) return CHS_ERR_REFLECTION;
   return FN(chs_p_deviation)(R) <= tolerance ? CHS_OK : CHS_ERR_NOT_ROTATION;
+}
+
+int FN(chs_p_check_pose)(const real T[16]) {
+  real R[9], p[3];
+  return read_pose(T, R, p);
 }

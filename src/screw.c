@@ -9,8 +9,7 @@
 int FN(chs_screw_from_pose)(const real T[16], screw *out) {
   static const real origin[3] = {0, 0, 0};
   real R[9], p[3];
-  part(T, R, p);
-  int status = first_error(check_rotation(R), finiteness(p, 3));
+  int status = read_pose(T, R, p);
   if (status != CHS_OK) return status;
   quaternion q = quaternion_of(R);
   real n = norm(q.v, 3);
@@ -173,10 +172,8 @@ void FN(chs_screw_reciprocal)(const real A[6], const real B[6], real *product) {
 
 /* T exp([S] theta), or exp([S] theta) T. */
 static int move(const real T[16], const real S[6], real theta, int in_body, real moved[16]) {
-  real V[6], R[9], p[3], step[16], end[16];
-  part(T, R, p);
-  int status = first_error(first_error(check_rotation(R), finiteness(p, 3)),
-                           first_error(finiteness(S, 6), finiteness(&theta, 1)));
+  real V[6], step[16], end[16];
+  int status = first_error(FN(chs_p_check_pose)(T), first_error(finiteness(S, 6), finiteness(&theta, 1)));
   if (status != CHS_OK) return status;
   FN(chs_screw_twist)(S, theta, V);
   if (!all_finite(V, 3)) return CHS_ERR_ANGLE_RANGE;

@@ -2,7 +2,6 @@
 #include <chasles/se3.h>
 
 #include "pose.h"
-#include "rotation.h"
 
 void FN(chs_se3_hat)(const real V[6], real M[16]) {
   real W[9], v[3];
@@ -44,11 +43,6 @@ void FN(chs_se3_ad_wrench)(const real V[6], const real F[6], real G[6]) {
   crosses(F + 3, V, F, V, F + 3, V + 3, G + 3, G);
 }
 
-/* Why a pose, with n more numbers, is none: the rotation first, but NaN before all. */
-static int check_pose(const real R[9], const real p[3], const real *more, int n) {
-  return first_error(check_rotation(R), first_error(finiteness(p, 3), finiteness(more, n)));
-}
-
 /* (omega; v), or the overflow of one of them. */
 static int put_twist(const real omega[3], const real v[3], int status, real V[6]) {
   if (!all_finite(omega, 3) || !all_finite(v, 3)) return CHS_ERR_OVERFLOW;
@@ -59,9 +53,8 @@ static int put_twist(const real omega[3], const real v[3], int status, real V[6]
 
 static int twist_of_rate(const real T[16], const real dT[16], int in_body, real V[6]) {
   real R[9], p[3], dR[9], dp[3], W[9], Rt[9], omega[3], lever[3];
-  part(T, R, p);
   part(dT, dR, dp);
-  int status = first_error(check_pose(R, p, dR, 9), finiteness(dp, 3));
+  int status = first_error(read_pose(T, R, p), finiteness(dT, 12));
   if (status != CHS_OK) return status;
   transpose(R, Rt);
   multiply(in_body ? Rt : dR, in_body ? dR : Rt, W);
@@ -99,9 +92,7 @@ static quaternion quaternion_between(const real A[9], const real B[9]) {
 /* log(A^-1 B) of two poses, or why there is none. */
 static int log_between(const real A[16], const real B[16], real w[3], real v[3]) {
   real RA[9], pA[3], RB[9], pB[3], p[3], k;
-  part(A, RA, pA);
-  part(B, RB, pB);
-  int status = first_error(check_pose(RA, pA, NULL, 0), check_pose(RB, pB, NULL, 0));
+  int status = first_error(read_pose(A, RA, pA), read_pose(B, RB, pB));
   if (status != CHS_OK) return status;
   subtract(pB, pA, p);
   rotate_back(RA, p, p);
@@ -151,9 +142,7 @@ int FN(chs_se3_interpolate)(const real A[16], const real B[16], real s, real T[1
 
 int FN(chs_se3_distance)(const real A[16], const real B[16], real *angle, real *length) {
   real RA[9], pA[3], RB[9], pB[3], d[3], turn;
-  part(A, RA, pA);
-  part(B, RB, pB);
-  int status = first_error(check_pose(RA, pA, NULL, 0), check_pose(RB, pB, NULL, 0));
+  int status = first_error(read_pose(A, RA, pA), read_pose(B, RB, pB));
   if (status != CHS_OK) return status;
   FN(chs_so3_angle)(RA, RB, &turn);
   subtract(pB, pA, d);

@@ -97,21 +97,11 @@ SHARED void rotate_back(const real R[9], const real x[3], real y[3]) {
 
 /* C = A B and B = A^T; the result may overlap the inputs. */
 SHARED void multiply(const real A[9], const real B[9], real C[9]) {
-  real c0 = A[0] * B[0] + A[1] * B[3] + A[2] * B[6], c3 = A[3] * B[0] + A[4] * B[3] + A[5] * B[6];
-  real c1 = A[0] * B[1] + A[1] * B[4] + A[2] * B[7], c4 = A[3] * B[1] + A[4] * B[4] + A[5] * B[7];
-  real c2 = A[0] * B[2] + A[1] * B[5] + A[2] * B[8], c5 = A[3] * B[2] + A[4] * B[5] + A[5] * B[8];
-  real c6 = A[6] * B[0] + A[7] * B[3] + A[8] * B[6];
-  real c7 = A[6] * B[1] + A[7] * B[4] + A[8] * B[7];
-  real c8 = A[6] * B[2] + A[7] * B[5] + A[8] * B[8];
-  C[0] = c0;
-  C[1] = c1;
-  C[2] = c2;
-  C[3] = c3;
-  C[4] = c4;
-  C[5] = c5;
-  C[6] = c6;
-  C[7] = c7;
-  C[8] = c8;
+  real c[9];
+  rotate_back(B, A, c);
+  rotate_back(B, A + 3, c + 3);
+  rotate_back(B, A + 6, c + 6);
+  copy9(c, C);
 }
 
 SHARED void transpose(const real A[9], real B[9]) {
