@@ -92,8 +92,8 @@ int FN(chs_line_from_dh)(int n, int convention, const real base[16], const real 
 typedef struct chain {
   int n, convention;
   const real *axes;
-  real home[16], p[3]; /* the tool's pose and position */
-  real zero, reach;    /* the tolerance, and the length it is also relative to */
+  real home[16], tool[6]; /* the tool's pose, and its z axis as a line */
+  real zero, reach;       /* the tolerance, and the length it is also relative to */
 } chain;
 
 /* A link: the perpendicular of two lines, with its sense. */
@@ -119,58 +119,52 @@ static void nearest_across(const real z[3], const real first[3], const real seco
   unit(x, x);
 }
 
-static void tool_axis(const chain *c, int k, real axis[3]) {
-  for (int i = 0; i < 3; i++) axis[i] = c->home[4 * i + k];
+/* A column of the tool's pose: its axes, and its position. */
+static void tool_column(const chain *c, int k, real column[3]) {
+  for (int i = 0; i < 3; i++) column[i] = c->home[4 * i + k];
 }
 
 /* The k-th of the n + 1 lines: the axes, before them the base's z axis or behind them the tool's. */
-static void line_at(const chain *c, int k, real L[6]) {
+static const real *line_at(const chain *c, int k) {
   static const real base_line[6] = {0, 0, 1, 0, 0, 0};
   int i = c->convention == CHS_DH_MODIFIED ? k - 1 : k;
-  if (i < 0)
-    copy(base_line, 6, L);
-  else if (i == c->n)
-    z_line(c->home, L);
-  else
-    copy(c->axes + 6 * i, 6, L);
+  return i < 0 ? base_line : i == c->n ? c->tool : c->axes + 6 * i;
 }
 
-static frame start_of(const chain *c) {
-  real L[6];
-  frame f;
-  line_at(c, 0, L);
-  line l = line_of(L);
-  point_of(&l, f.o);
-  copy(l.d, 3, f.z);
-  nearest_across(f.z, base_axes, base_axes + 3, f.x);
-  return f;
+static void start_at(const chain *c, frame *f) {
+  line l = line_of(line_at(c, 0));
+  point_of(&l, f->o);
+  copy3(l.d, f->z);
+  nearest_across(f->z, base_axes, base_axes + 3, f->x);
 }
 
 /* The link from line k - 1, on which the frame f lies, to line k. */
-static link link_of(const chain *c, const frame *f, int k) {
-  real A[6], B[6];
-  line_at(c, k - 1, A);
-  line_at(c, k, B);
+static void link_of(const chain *c, const frame *f, int k, link *l) {
+  const real *A = line_at(c, k - 1), *B = line_at(c, k);
   between r = between_lines(A, B, c->zero, c->reach);
-  int to_tool = c->convention == CHS_DH_STANDARD && k == c->n;
-  link l = {r.distance, r.angle, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, r.status};
-  copy(r.x, 3, l.end.x);
-  copy(r.b.d, 3, l.end.z);
-  if (r.status == CHS_PARALLEL || r.status == CHS_COINCIDENT) {
-    foot_on(&r.a, to_tool ? c->p : f->o, l.foot);
-    foot_on(&r.b, l.foot, l.end.o);
-    l.alpha = dot(A, B) < 0 ? CHS_PI_A : K(0.0);
+  int to_tool = c->convention == CHS_DH_STANDARD && k == c->n, coincident = r.status == CHS_COINCIDENT;
+  l->a = r.distance;
+  l->alpha = r.angle;
+  l->status = r.status;
+  copy3(r.x, l->end.x);
+  copy3(r.b.d, l->end.z);
+  if (coincident || r.status == CHS_PARALLEL) {
+    copy3(f->o, l->foot);
+    if (to_tool) tool_column(c, 3, l->foot);
+    foot_on(&r.a, l->foot, l->foot);
+    foot_on(&r.b, l->foot, l->end.o);
+    l->alpha = dot(A, B) < 0 ? CHS_PI_A : K(0.0);
   } else
-    feet_of(&r, l.foot, l.end.o);
-  if (r.status == CHS_COINCIDENT && to_tool) tool_axis(c, 0, l.end.x);
-  if (r.status == CHS_COINCIDENT && !to_tool) copy(f->x, 3, l.end.x);
-  if (dot(l.end.x, f->x) < -c->zero && r.status != CHS_COINCIDENT) {
-    for (int i = 0; i < 3; i++) l.end.x[i] = -l.end.x[i];
-    l.a = -l.a;
-    l.alpha = r.status == CHS_PARALLEL ? l.alpha : -l.alpha;
+    feet_of(&r, l->foot, l->end.o);
+  if (coincident) {
+    copy3(f->x, l->end.x);
+    if (to_tool) tool_column(c, 0, l->end.x);
+  } else if (dot(l->end.x, f->x) < -c->zero) {
+    for (int i = 0; i < 3; i++) l->end.x[i] = -l->end.x[i];
+    l->a = -l->a;
+    l->alpha = r.status == CHS_PARALLEL ? l->alpha : -l->alpha;
   }
-  if (r.status == CHS_COINCIDENT || r.status == CHS_INTERSECTING) l.a = 0;
-  return l;
+  if (coincident || r.status == CHS_INTERSECTING) l->a = 0;
 }
 
 /* d and theta from the frame to another x axis and origin on its line. */
@@ -182,21 +176,37 @@ static void joint_of(const frame *f, const real x[3], const real o[3], real d_th
   d_theta[1] = signed_angle_of(dot(f->z, side), dot(f->x, x));
 }
 
-/* CHS_OK, CHS_PARALLEL, CHS_COINCIDENT or CHS_ERR_OVERFLOW; dh may be NULL. */
-static int walk_axes(const chain *c, real *dh, real base[16], real tool[16]) {
+/* The frame of the last row, on the same line as the frame f before its joint turns. */
+static void last_of(const chain *c, const frame *f, frame *last) {
+  real first[3], second[3], p[3];
+  line l = line_of(line_at(c, c->n));
+  tool_column(c, 0, first);
+  tool_column(c, 1, second);
+  tool_column(c, 3, p);
+  copy3(f->z, last->z);
+  nearest_across(f->z, first, second, last->x);
+  foot_on(&l, p, last->o);
+}
+
+/* CHS_OK, CHS_PARALLEL, CHS_COINCIDENT or CHS_ERR_OVERFLOW; dh, base and tool may be NULL. */
+static int walk_axes(const chain *c, real *dh, real *base, real *tool) {
   int modified = c->convention == CHS_DH_MODIFIED, status = CHS_OK, good = 1;
-  frame f = start_of(c);
-  if (!modified) pose_of(&f, base);
+  real row[4], T[16];
+  frame f, first;
+  start_at(c, &f);
+  first = f;
   for (int k = 1; k <= c->n; k++) {
-    link l = link_of(c, &f, k);
+    link l;
+    link_of(c, &f, k, &l);
     /* Its joint is that of the row, or of the row before, and of no row before the first. */
-    real row[4] = {l.a, l.alpha, 0, 0};
+    row[0] = l.a;
+    row[1] = l.alpha;
     joint_of(&f, l.end.x, l.foot, row + 2);
     good = good && all_finite(row, 4);
     if (modified && k == 1) {
-      copy(l.end.x, 3, f.x);
-      copy(l.foot, 3, f.o);
-      pose_of(&f, base);
+      copy3(l.end.x, f.x);
+      copy3(l.foot, f.o);
+      first = f;
     }
     if (dh) copy(row, 2, dh + 4 * (k - 1));
     if (dh && k > modified) copy(row + 2, 2, dh + 4 * (k - 1 - modified) + 2);
@@ -205,45 +215,40 @@ static int walk_axes(const chain *c, real *dh, real base[16], real tool[16]) {
     f = l.end;
   }
   if (modified) {
-    real L[6], first[3], second[3], row[2];
-    frame last = f;
-    line_at(c, c->n, L);
-    line l = line_of(L);
-    tool_axis(c, 0, first);
-    tool_axis(c, 1, second);
-    nearest_across(f.z, first, second, last.x);
-    foot_on(&l, c->p, last.o);
+    frame last;
+    last_of(c, &f, &last);
     joint_of(&f, last.x, last.o, row);
     good = good && all_finite(row, 2);
     if (dh) copy(row, 2, dh + 4 * (c->n - 1) + 2);
     f = last;
   }
-  real end[16];
-  pose_of(&f, end);
-  FN(chs_se3_inverse)(end, end);
-  FN(chs_se3_compose)(end, c->home, tool);
-  return good && all_finite(base, 12) && all_finite(tool, 12) ? status : CHS_ERR_OVERFLOW;
+  pose_of(&first, T);
+  good = good && all_finite(T, 12);
+  if (base) copy(T, 16, base);
+  pose_of(&f, T);
+  FN(chs_se3_inverse)(T, T);
+  FN(chs_se3_compose)(T, c->home, T);
+  if (tool) copy(T, 16, tool);
+  return good && all_finite(T, 12) ? status : CHS_ERR_OVERFLOW;
 }
 
 int FN(chs_line_to_dh)(int n, int convention, const real *axes, const real home[16], real tolerance, real *dh,
                        real base[16], real tool[16]) {
   if (!arguments_are_right(n, convention)) return CHS_ERR_ARGUMENT;
   chain c = {n, convention, axes, {0}, {0}, tolerance > ROUNDING ? tolerance : ROUNDING, 0};
-  real R[9], B[16], E[16];
+  real p[3];
   int status = first_error(FN(chs_p_check_pose)(home), finiteness(&tolerance, 1));
   for (int i = 0; i < n; i++) status = first_error(status, check_line(axes + 6 * i));
   if (status != CHS_OK) return status;
   if (tolerance < 0) return CHS_ERR_ARGUMENT;
   copy(home, 12, c.home);
-  part(home, R, c.p);
-  c.reach = norm(c.p, 3);
+  z_line(home, c.tool);
+  tool_column(&c, 3, p);
+  c.reach = norm(p, 3);
   for (int i = 0; i < n; i++) {
     real far = norm(axes + 6 * i + 3, 3);
     c.reach = far > c.reach ? far : c.reach;
   }
-  if (walk_axes(&c, NULL, B, E) < 0) return CHS_ERR_OVERFLOW;
-  status = walk_axes(&c, dh, B, E);
-  if (base) copy(B, 16, base);
-  if (tool) copy(E, 16, tool);
-  return status;
+  if (walk_axes(&c, NULL, NULL, NULL) < 0) return CHS_ERR_OVERFLOW;
+  return walk_axes(&c, dh, base, tool);
 }

@@ -39,14 +39,16 @@ static int turn(const place *from, const real w[3], place *to) {
 /* The columns of df/dw. */
 static int derivatives(const place *p, real columns[9]) {
   for (int i = 0; i < 3; i++) {
-    real w[3] = {0, 0, 0};
-    place ahead, behind;
+    real w[3] = {0, 0, 0}, *column = columns + 3 * i;
+    place turned;
     w[i] = DIFFERENCE;
-    int status = turn(p, w, &ahead);
-    w[i] = -DIFFERENCE;
-    if (status >= 0) status = turn(p, w, &behind);
+    int status = turn(p, w, &turned);
     if (status < 0) return status;
-    for (int j = 0; j < 3; j++) columns[3 * i + j] = (ahead.f[j] - behind.f[j]) / (K(2.0) * DIFFERENCE);
+    copy3(turned.f, column);
+    w[i] = -DIFFERENCE;
+    status = turn(p, w, &turned);
+    if (status < 0) return status;
+    for (int j = 0; j < 3; j++) column[j] = (column[j] - turned.f[j]) / (K(2.0) * DIFFERENCE);
   }
   return CHS_OK;
 }
