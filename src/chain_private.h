@@ -11,6 +11,7 @@
 #define move(...) FN(chs_p_move)(__VA_ARGS__)
 #define frame_axis(...) FN(chs_p_frame_axis)(__VA_ARGS__)
 #define turn(...) FN(chs_p_turn)(__VA_ARGS__)
+#define excess_of(...) FN(chs_p_excess_of)(__VA_ARGS__)
 #define turn_about(...) FN(chs_p_turn_about)(__VA_ARGS__)
 #define advance(...) FN(chs_p_advance)(__VA_ARGS__)
 #define get_column(...) FN(chs_p_get_column)(__VA_ARGS__)
@@ -46,18 +47,15 @@ SHARED int frame_axis(const real w[3]) {
 
 /* A turn by q about the axis k = i x j of t's frame, of a joint with the given v: two columns of R change. */
 SHARED int turn(place *t, int i, int j, int k, real q, const real v[3]) {
-  real sine, versine, u[3], step[3];
-  if (!sine_and_versine(q, &sine, &versine)) return 0;
-  u[i] = sine * v[i] - versine * v[j];
-  u[j] = sine * v[j] + versine * v[i];
-  u[k] = q * v[k];
-  rotate(t->R, u, step);
-  real cosine = K(1.0) - versine;
-  for (int row = 0; row < 3; row++) {
-    real x = t->R[3 * row + i], y = t->R[3 * row + j];
-    t->R[3 * row + i] = cosine * x + sine * y;
-    t->R[3 * row + j] = cosine * y - sine * x;
-    t->p[row] += step[row];
+  real sine, cosine;
+  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+  real versine = K(1.0) - cosine;
+  real ui = sine * v[i] - versine * v[j], uj = sine * v[j] + versine * v[i], uk = q * v[k];
+  for (int row = 0; row < 9; row += 3) {
+    real x = t->R[row + i], y = t->R[row + j], z = t->R[row + k];
+    t->R[row + i] = cosine * x + sine * y;
+    t->R[row + j] = cosine * y - sine * x;
+    t->p[row / 3] += x * ui + y * uj + z * uk;
   }
   return 1;
 }
@@ -65,16 +63,24 @@ SHARED int turn(place *t, int i, int j, int k, real q, const real v[3]) {
 /* omega . v of a joint rounded once: in a revolute joint it is nothing but rounding, and q times that would count. */
 real FN(chs_p_exact_pitch)(const real S[6]);
 
+/* omega . omega - 1, to full precision where that is small. */
+SHARED real excess_of(const real w[3]) {
+  split_square square = squared_length(w);
+  return (square.head - K(1.0)) + square.rest;
+}
+
 /* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
  * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-SHARED int turn_about(place *t, real ww, real q, const real S[6]) {
-  real sine, versine, E[9], u[3], wxv[3], s[6], k = K(1.5) - K(0.5) * ww;
-  if (!sine_and_versine(q, &sine, &versine)) return 0;
-  for (int i = 0; i < 6; i++) s[i] = k * S[i];
-  const real *w = s, *v = s + 3;
-  rotation_from(w, sine, K(0.5) * versine, K(1.0) - K(0.5) * versine, E);
+SHARED int turn_about(place *t, real excess, real q, const real S[6]) {
+  real sine, cosine, E[9], u[3], wxv[3];
+  const real *w = S, *v = S + 3;
+  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+  real versine = K(1.0) - cosine, pitch = ABS(q) <= 1 ? dot(w, v) : FN(chs_p_exact_pitch)(S);
+  real along = (q - sine) * (pitch - K(1.5) * excess * pitch);
+  sine -= K(0.5) * excess * sine;
+  versine -= excess * versine;
+  rotation_from(w, sine, K(0.5) * versine, K(0.5) + K(0.5) * cosine, E);
   cross(w, v, wxv);
-  real pitch = ABS(q) <= 1 ? dot(w, v) : k * k * FN(chs_p_exact_pitch)(S), along = (q - sine) * pitch;
   for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
   move(t, E, u);
   return 1;
@@ -94,8 +100,8 @@ SHARED int advance(place *t, const real S[6], real q) {
     return 1;
   }
   if (k < 0) {
-    real ww = dot(S, S);
-    return ABS(ww - K(1.0)) <= K(8.0) * EPS ? turn_about(t, ww, q, S) : FN(chs_p_advance_by_exp)(t, S, q);
+    real excess = excess_of(S);
+    return ABS(excess) <= K(8.0) * EPS ? turn_about(t, excess, q, S) : FN(chs_p_advance_by_exp)(t, S, q);
   }
   /* The same joint with its axis turned round where it points backwards. */
   real sign = S[k];

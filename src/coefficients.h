@@ -26,6 +26,18 @@
 #define CHS_COSINE_HIGH(t) \
   ((0x1.1eecfa4e75998p-41 + (t) * -0x1.9357123473809p-51) + \
    CHS_POWER_2(t) * 0x1.9fc3a43747942p-61)
+/* sin(x) / x at x = sqrt t = 1 + t P, P = CHS_QUARTER_SINE
+   on [0, 0.61747], relative error 0.017 eps */
+#define CHS_QUARTER_SINE(t) \
+  (((-0x1.5555555555548p-3 + (t) * 0x1.111111110f73p-7) + \
+   CHS_POWER_2(t) * (-0x1.a01a019be9211p-13 + (t) * 0x1.71de35552ab63p-19)) + \
+   CHS_POWER_4(t) * (-0x1.ae5e4b833b663p-26 + (t) * 0x1.5d8b5558933a9p-33))
+/* cos(x) at x = sqrt t = 1 - t/2 + t^2 P, P = CHS_QUARTER_COSINE
+   on [0, 0.61747], absolute error 0.00022 eps */
+#define CHS_QUARTER_COSINE(t) \
+  (((0x1.555555555554cp-5 + (t) * -0x1.6c16c16c15217p-10) + \
+   CHS_POWER_2(t) * (0x1.a01a019cbe0a4p-16 + (t) * -0x1.27e4f8116c818p-22)) + \
+   CHS_POWER_4(t) * (0x1.1ee9f0451ca2p-29 + (t) * -0x1.8fb0919618418p-37))
 /* -d/dt (1 - cos x)/x^2 at x = sqrt t = P, P = CHS_COSINE_SLOPE
    on [0, 9.8795], relative error 0.25 eps */
 #define CHS_COSINE_SLOPE(t) \
@@ -67,6 +79,9 @@
 #define CHS_HALF_PI_B 0x1.1a62633145c07p-54
 #define CHS_QUARTER_PI_A 0x1.921fb54442d18p-1
 #define CHS_QUARTER_PI_B 0x1.1a62633145c07p-55
+#define CHS_RIGHT_ANGLE_A 0x1.921fb5444p+0
+#define CHS_RIGHT_ANGLE_B 0x1.68c234c4c6629p-39
+#define CHS_RIGHT_ANGLE_LIMIT 0x1p+16
 #else
 #define CHS_HIGH(x) CHS_POWER_2(x)
 /* sin(x/2) / x at x = sqrt t = 1/2 - t/64 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
@@ -82,6 +97,16 @@
   (0x1.55555p-9F + (t) * -0x1.6c14b8p-16F)
 #define CHS_COSINE_HIGH(t) \
   (0x1.9f931cp-24F + (t) * -0x1.196acep-32F)
+/* sin(x) / x at x = sqrt t = 1 + t P, P = CHS_QUARTER_SINE
+   on [0, 0.61747], relative error 0.033 eps */
+#define CHS_QUARTER_SINE(t) \
+  ((-0x1.555546p-3F + (t) * 0x1.110776p-7F) + \
+   CHS_POWER_2(t) * -0x1.9952fap-13F)
+/* cos(x) at x = sqrt t = 1 - t/2 + t^2 P, P = CHS_QUARTER_COSINE
+   on [0, 0.61747], absolute error 0.00089 eps */
+#define CHS_QUARTER_COSINE(t) \
+  ((0x1.55554ap-5F + (t) * -0x1.6c0c1ap-10F) + \
+   CHS_POWER_2(t) * 0x1.99e0eep-16F)
 /* -d/dt (1 - cos x)/x^2 at x = sqrt t = P, P = CHS_COSINE_SLOPE
    on [0, 9.8795], relative error 0.25 eps */
 #define CHS_COSINE_SLOPE(t) \
@@ -113,6 +138,9 @@
 #define CHS_HALF_PI_B -0x1.777a5cp-25F
 #define CHS_QUARTER_PI_A 0x1.921fb6p-1F
 #define CHS_QUARTER_PI_B -0x1.777a5cp-26F
+#define CHS_RIGHT_ANGLE_A 0x1.922p+0F
+#define CHS_RIGHT_ANGLE_B -0x1.2aeef4p-18F
+#define CHS_RIGHT_ANGLE_LIMIT 0x1p+8F
 #endif
 /* clang-format on */
 

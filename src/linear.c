@@ -1,13 +1,5 @@
 #include "linear.h"
 
-/* Rows of A and b together, written out: seven numbers each. */
-static void exchange(real *x, real *y) {
-  real z[7];
-  copy(x, 7, z);
-  copy(y, 7, x);
-  copy(z, 7, y);
-}
-
 static inline void take_away(real factor, const real *x, real *y) {
   y[0] -= factor * x[0];
   y[1] -= factor * x[1];
@@ -19,13 +11,13 @@ static inline void take_away(real factor, const real *x, real *y) {
 }
 
 /* Selections in place of branches here and below: which row it is cannot be foreseen. */
-static inline int pivot_row(const real *A, int column) {
+static inline int pivot_row(real *const rows[6], int column) {
   int best = column;
-  real most = ABS(A[8 * column]);
+  real most = ABS(rows[column][column]);
   for (int i = column + 1; i < 6; i++) {
-    real size = ABS(A[7 * i + column]);
+    real size = ABS(rows[i][column]);
     int larger = size > most;
-    best += larger * (i - best);
+    best = larger ? i : best;
     most = larger ? size : most;
   }
   return best;
@@ -38,23 +30,30 @@ static real largest_of_column(const real *A, int j) {
 
 real FN(chs_p_eliminate)(real A[42], real x[6], real *determinant) {
   real least = 1, det = 1, sizes[6], inverses[6];
+  int exchanged = 0;
+  real *rows[6] = {A, A + 7, A + 14, A + 21, A + 28, A + 35};
   for (int j = 0; j < 6; j++) sizes[j] = largest_of_column(A, j);
   for (int j = 0; j < 6; j++) {
-    int best = pivot_row(A, j);
-    exchange(A + 7 * best, A + 7 * j);
-    real pivot = A[8 * j], share = ABS(pivot) / sizes[j];
-    det *= best == j ? pivot : -pivot;
-    least = share < least ? share : least;
-    if (pivot == 0) least = 0;
-    if (pivot == 0) break;
+    int best = pivot_row(rows, j);
+    real *top = rows[best];
+    rows[best] = rows[j];
+    rows[j] = top;
+    real pivot = top[j], share = ABS(pivot) / sizes[j];
+    det *= pivot;
+    exchanged ^= best != j;
+    least = share < least ? share : least; /* NaN where the column is 0 */
+    if (pivot == 0) {
+      least = 0;
+      break;
+    }
     inverses[j] = K(1.0) / pivot;
     /* What is left below the diagonal is never read. */
-    for (int i = j + 1; i < 6; i++) take_away(A[7 * i + j] * inverses[j], A + 7 * j, A + 7 * i);
+    for (int i = j + 1; i < 6; i++) take_away(rows[i][j] * inverses[j], top, rows[i]);
   }
-  *determinant = det;
+  *determinant = exchanged ? -det : det;
   for (int i = 5; i >= 0 && least > 0; i--) {
-    real rest = A[7 * i + 6];
-    for (int k = i + 1; k < 6; k++) rest -= A[7 * i + k] * x[k];
+    real rest = rows[i][6];
+    for (int k = i + 1; k < 6; k++) rest -= rows[i][k] * x[k];
     x[i] = rest * inverses[i];
   }
   return least;

@@ -34,6 +34,16 @@ def half_cosine(t):
     return cos(sqrt(t) / 2)
 
 
+def sinc(t):
+    """sin(x) / x at x = sqrt t"""
+    return sin(sqrt(t)) / sqrt(t) if t else mpf(1)
+
+
+def cosine(t):
+    """cos(x) at x = sqrt t"""
+    return cos(sqrt(t))
+
+
 def power_series(coefficient, t):
     """The sum of coefficient(k) (-t)^k, an entire function: 40 terms are plenty below t = 10."""
     return sum(coefficient(k) * (-t) ** k for k in range(40))
@@ -64,17 +74,21 @@ def arctangent(u):
 # divides the error by the function, "absolute" does not. A head of -1/64 leaves the least of sin(x/2)/x to the rest.
 SLACK = mpf("1.001")
 WITHIN_PI = SLACK * pi**2
+WITHIN_QUARTER_PI = SLACK * (pi / 4) ** 2
 HALVES, WHOLE = (4, 2), (0, 0)
 KERNELS = [
     # macro, function and its form (P is the macro), top, weight, head, first order of P, degrees, and how many of P's
     # coefficients make its lower half, the last two in double and float
     ("SINC", half_sinc, "1/2 - t/64 + t P", WITHIN_PI, "relative", [mpf(1) / 2, mpf(-1) / 64], 1, (8, 5), HALVES),
     ("COSINE", half_cosine, "1 - t/8 + t^2 P", WITHIN_PI, "absolute", [mpf(1), mpf(-1) / 8], 2, (8, 5), HALVES),
+    ("QUARTER_SINE", sinc, "1 + t P", WITHIN_QUARTER_PI, "relative", [mpf(1)], 1, (6, 3), WHOLE),
+    ("QUARTER_COSINE", cosine, "1 - t/2 + t^2 P", WITHIN_QUARTER_PI, "absolute", [mpf(1), mpf(-1) / 2], 2, (7, 4), WHOLE),
     ("COSINE_SLOPE", cosine_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
     ("CUBIC_SLOPE", cubic_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
     ("COTANGENT_SLOPE", cotangent_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
     ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 1, (13, 6), WHOLE),
 ]
+LIMITS = (16, 8)  # as powers of two
 FORMATS = [("double", 53, ""), ("float", 24, "F")]
 
 
@@ -214,6 +228,12 @@ def section(precision, bits, suffix):
     for name, value, parts in [("PI", pi, 3), ("HALF_PI", pi / 2, 2), ("QUARTER_PI", pi / 4, 2)]:
         for letter, piece in zip("ABC", split(value, bits, parts)):
             lines.append(f"#define CHS_{name}_{letter} {hexfloat(piece, bits)}{suffix}")
+    # So few digits in the first part that its products with integers up to the limit are exact.
+    limit = LIMITS[choice]
+    high = round_to(pi / 2, bits - limit)
+    for letter, piece in [("A", high), ("B", round_to(pi / 2 - high, bits))]:
+        lines.append(f"#define CHS_RIGHT_ANGLE_{letter} {hexfloat(piece, bits)}{suffix}")
+    lines.append(f"#define CHS_RIGHT_ANGLE_LIMIT {hexfloat(mpf(2) ** limit, bits)}{suffix}")
     return lines
 
 
