@@ -115,8 +115,8 @@ SHARED real cosine_of(real s, real c) {
   return cc < ss ? K(2.0) * cc - K(1.0) : K(1.0) - K(2.0) * ss;
 }
 
-/* sin(q) and cos(q), each with an error of at most 0.55 eps of 1 up to the limit, beyond which it is 0.9 eps. r + rest is
- * q less the nearest multiple of pi/2; the last two sums select, and are exact. False where q is no angle or beyond
+/* sin(q) and cos(q), each with an error of at most 0.55 eps of 1 up to the limit, beyond which it is 0.9 eps. q less the
+ * nearest multiple of pi/2 is r + rest; the last two sums select, and are exact. False where q is no angle or beyond
  * ANGLE_MAX. */
 SHARED int sin_cos_of(real q, real *sine, real *cosine) {
   static const real cosines[5] = {0, 1, 0, -1, 0}; /* of -pi/2 and so on */

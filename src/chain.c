@@ -3,7 +3,8 @@
 
 #include <string.h>
 
-real FN(chs_p_exact_pitch)(const real S[6]) {
+/* omega . v of a joint rounded once: in a revolute joint it is nothing but rounding, and q times that would count. */
+static real exact_pitch(const real S[6]) {
   real scale = safe_to_square(largest(S + 3, 3));
   exact_sum sum = product(S[0], scale * S[3]);
   add(&sum, product(S[1], scale * S[4]));
@@ -11,13 +12,48 @@ real FN(chs_p_exact_pitch)(const real S[6]) {
   return (sum.hi + sum.lo) / scale;
 }
 
-int FN(chs_p_advance_by_exp)(place *t, const real S[6], real q) {
+/* omega . omega - 1, to full precision where that is small. */
+static real excess_of(const real w[3]) {
+  split_square square = squared_length(w);
+  return (square.head - K(1.0)) + square.rest;
+}
+
+/* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
+ * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
+static int turn_about(place *t, real excess, real q, const real S[6]) {
+  real sine, cosine, E[9], u[3], wxv[3];
+  const real *w = S, *v = S + 3;
+  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+  real versine = K(1.0) - cosine, pitch = ABS(q) <= 1 ? dot(w, v) : exact_pitch(S);
+  real along = (q - sine) * (pitch - K(1.5) * excess * pitch);
+  sine -= K(0.5) * excess * sine;
+  versine -= excess * versine;
+  rotation_from(w, sine, K(0.5) * versine, K(0.5) + K(0.5) * cosine, E);
+  cross(w, v, wxv);
+  for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
+  move(t, E, u);
+  return 1;
+}
+
+/* t <- t exp([S] q), where omega is of no use as it is. */
+static int advance_by_exp(place *t, const real S[6], real q) {
   real V[6], T[16], E[9], u[3];
   for (int i = 0; i < 6; i++) V[i] = q * S[i];
   if (FN(chs_se3_exp)(V, T) < 0) return 0;
   part(T, E, u);
   move(t, E, u);
   return 1;
+}
+
+int FN(chs_p_advance_otherwise)(place *t, const real S[6], real q) {
+  if (S[0] == 0 && S[1] == 0 && S[2] == 0) {
+    real v[3] = {q * S[3], q * S[4], q * S[5]};
+    rotate(t->R, v, v);
+    add_to(t->p, v);
+    return 1;
+  }
+  real excess = excess_of(S);
+  return ABS(excess) <= K(8.0) * EPS ? turn_about(t, excess, q, S) : advance_by_exp(t, S, q);
 }
 
 /* Where the walk starts: at the fixed frame, or at the home pose. */
@@ -48,11 +84,13 @@ static void leave_home(const chain *c, place *t) {
   subtract(t->p, p, t->p);
 }
 
+/* By sums of zeros, of which NaN and infinities make NaN. */
 static int is_finite_place(const place *t) {
-  int good = 1;
-  for (int i = 0; i < 9; i++) good &= is_finite(t->R[i]);
-  for (int i = 0; i < 3; i++) good &= is_finite(t->p[i]);
-  return good;
+  const real *R = t->R, *p = t->p, zero = 0;
+  real a = zero * R[0] + zero * R[1] + zero * R[2] + zero * p[0];
+  real b = zero * R[3] + zero * R[4] + zero * R[5] + zero * p[1];
+  real c = zero * R[6] + zero * R[7] + zero * R[8] + zero * p[2];
+  return a + b + c == 0;
 }
 
 int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
@@ -64,13 +102,19 @@ int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
   return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
 }
 
-/* Ad(t) S, the column of the Jacobian of a joint at t. */
-static inline void column_of(const place *t, const real S[6], real column[6]) {
+/* Ad(t) S, the column of the Jacobian of a joint at t, k being the frame's axis of S. */
+static inline void column_of(const place *t, int k, const real S[6], real column[6]) {
   real moment[3];
-  rotate(t->R, S, column);
+  if (k >= 0 && k < 3) {
+    column[0] = S[k] * t->R[k];
+    column[1] = S[k] * t->R[3 + k];
+    column[2] = S[k] * t->R[6 + k];
+  } else {
+    rotate(t->R, S, column);
+  }
   rotate(t->R, S + 3, column + 3);
   cross(t->p, column, moment);
-  for (int i = 0; i < 3; i++) column[3 + i] += moment[i];
+  add_to(column + 3, moment);
 }
 
 /* Ad(t)^-1, in place. */
@@ -86,12 +130,14 @@ int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t) {
   int good = c->joints >= 1;
   start(c, t);
   for (int i = 0; i < c->joints && good; i++) {
+    const real *S = c->screws + 6 * i;
     real column[6], joint = q[i];
+    int k = frame_axis(S);
     if (J) {
-      column_of(t, c->screws + 6 * i, column);
+      column_of(t, k, S, column);
       put_column(column, c->joints, i, J);
     }
-    good = advance(t, c->screws + 6 * i, joint);
+    good = advance(t, k, S, joint);
   }
   finish(c, t);
   return good && is_finite_place(t);
@@ -124,10 +170,12 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
   int good = c->joints >= 1;
   start(c, t);
   for (int i = 0; i < c->joints && good; i++) {
+    const real *S = c->screws + 6 * i;
     real column[6];
-    column_of(t, c->screws + 6 * i, column);
+    int k = frame_axis(S);
+    column_of(t, k, S, column);
     if (frame) into_frame_of(frame, column);
-    good = all_finite(column, 6) && advance(t, c->screws + 6 * i, q[i]);
+    good = all_finite(column, 6) && advance(t, k, S, q[i]);
     place displacement = *t;
     leave_home(c, &displacement);
     good = good && is_finite_place(&displacement);
@@ -157,7 +205,7 @@ int FN(chs_chain_links)(const chain *c, const real *q, real *D) {
   q = keep(q, n, D + 15 * n);
   start(c, &t);
   for (int i = 0; i < n; i++) {
-    advance(&t, c->screws + 6 * i, q[i]);
+    advance(&t, frame_axis(c->screws + 6 * i), c->screws + 6 * i, q[i]);
     place displacement = t;
     leave_home(c, &displacement);
     join(displacement.R, displacement.p, D + 16 * i);

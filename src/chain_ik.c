@@ -74,8 +74,9 @@ static int look(const search *s, stand *at) {
   subtract(s->goal.p, t.p, at->error + 3);
   at->angle = norm(at->error, 3);
   at->length = norm(at->error + 3, 3);
-  for (int i = 3; i < 6; i++) at->error[i] *= s->per_length;
-  at->square = dot(at->error, at->error) + dot(at->error + 3, at->error + 3);
+  multiply_by(s->per_length, at->error + 3);
+  real length = s->per_length * at->length;
+  at->square = at->angle * at->angle + length * length;
   if (!s->last) to_tool(&t, s->c->joints, s->per_length, at->J);
   return CHS_OK;
 }

@@ -10,9 +10,8 @@
 
 #define move(...) FN(chs_p_move)(__VA_ARGS__)
 #define frame_axis(...) FN(chs_p_frame_axis)(__VA_ARGS__)
+#define turn_row(...) FN(chs_p_turn_row)(__VA_ARGS__)
 #define turn(...) FN(chs_p_turn)(__VA_ARGS__)
-#define excess_of(...) FN(chs_p_excess_of)(__VA_ARGS__)
-#define turn_about(...) FN(chs_p_turn_about)(__VA_ARGS__)
 #define advance(...) FN(chs_p_advance)(__VA_ARGS__)
 #define get_column(...) FN(chs_p_get_column)(__VA_ARGS__)
 #define put_column(...) FN(chs_p_put_column)(__VA_ARGS__)
@@ -32,7 +31,7 @@ typedef struct place {
 SHARED void move(place *t, const real E[9], const real u[3]) {
   real step[3];
   rotate(t->R, u, step);
-  for (int i = 0; i < 3; i++) t->p[i] += step[i];
+  add_to(t->p, step);
   multiply(t->R, E, t->R);
 }
 
@@ -45,69 +44,35 @@ SHARED int frame_axis(const real w[3]) {
   return w[1] == 0 && w[2] == 0 && ABS(w[0]) == 1 ? 0 : -1;
 }
 
-/* A turn by q about the axis k = i x j of t's frame, of a joint with the given v: two columns of R change. */
-SHARED int turn(place *t, int i, int j, int k, real q, const real v[3]) {
+/* A row of R, and what its place moves by, for a turn about the axis k = i x j of the frame. */
+SHARED void turn_row(real row[3], int i, int j, int k, real sine, real cosine, const real u[3], real *p) {
+  real x = row[i], y = row[j], z = row[k];
+  row[i] = cosine * x + sine * y;
+  row[j] = cosine * y - sine * x;
+  *p += x * u[0] + y * u[1] + z * u[2];
+}
+
+/* A turn by q about axis k of t's frame or, where S[k] = -1, the other way round: two columns of R change. */
+SHARED int turn(place *t, int k, const real S[6], real q) {
   real sine, cosine;
   if (!sin_cos_of(q, &sine, &cosine)) return 0;
-  real versine = K(1.0) - cosine;
-  real ui = sine * v[i] - versine * v[j], uj = sine * v[j] + versine * v[i], uk = q * v[k];
-  for (int row = 0; row < 9; row += 3) {
-    real x = t->R[row + i], y = t->R[row + j], z = t->R[row + k];
-    t->R[row + i] = cosine * x + sine * y;
-    t->R[row + j] = cosine * y - sine * x;
-    t->p[row / 3] += x * ui + y * uj + z * uk;
-  }
+  int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+  real versine = S[k] * (K(1.0) - cosine), vi = S[3 + i], vj = S[3 + j];
+  const real u[3] = {sine * vi - versine * vj, sine * vj + versine * vi, q * S[3 + k]};
+  sine *= S[k];
+  turn_row(t->R, i, j, k, sine, cosine, u, t->p);
+  turn_row(t->R + 3, i, j, k, sine, cosine, u, t->p + 1);
+  turn_row(t->R + 6, i, j, k, sine, cosine, u, t->p + 2);
   return 1;
 }
 
-/* omega . v of a joint rounded once: in a revolute joint it is nothing but rounding, and q times that would count. */
-real FN(chs_p_exact_pitch)(const real S[6]);
+/* t <- t exp([S] q) for any axis but one of the frame's. */
+int FN(chs_p_advance_otherwise)(place *t, const real S[6], real q);
 
-/* omega . omega - 1, to full precision where that is small. */
-SHARED real excess_of(const real w[3]) {
-  split_square square = squared_length(w);
-  return (square.head - K(1.0)) + square.rest;
-}
-
-/* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
- * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-SHARED int turn_about(place *t, real excess, real q, const real S[6]) {
-  real sine, cosine, E[9], u[3], wxv[3];
-  const real *w = S, *v = S + 3;
-  if (!sin_cos_of(q, &sine, &cosine)) return 0;
-  real versine = K(1.0) - cosine, pitch = ABS(q) <= 1 ? dot(w, v) : FN(chs_p_exact_pitch)(S);
-  real along = (q - sine) * (pitch - K(1.5) * excess * pitch);
-  sine -= K(0.5) * excess * sine;
-  versine -= excess * versine;
-  rotation_from(w, sine, K(0.5) * versine, K(0.5) + K(0.5) * cosine, E);
-  cross(w, v, wxv);
-  for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
-  move(t, E, u);
-  return 1;
-}
-
-/* t <- t exp([S] q), where omega is of no use as it is. */
-int FN(chs_p_advance_by_exp)(place *t, const real S[6], real q);
-
-/* t <- t exp([S] q). False where q is out of range or something is no number; t is then of no use. */
-SHARED int advance(place *t, const real S[6], real q) {
-  int k = frame_axis(S);
-  real v[3];
-  if (k == 3) {
-    for (int i = 0; i < 3; i++) v[i] = q * S[3 + i];
-    rotate(t->R, v, v);
-    for (int i = 0; i < 3; i++) t->p[i] += v[i];
-    return 1;
-  }
-  if (k < 0) {
-    real excess = excess_of(S);
-    return ABS(excess) <= K(8.0) * EPS ? turn_about(t, excess, q, S) : FN(chs_p_advance_by_exp)(t, S, q);
-  }
-  /* The same joint with its axis turned round where it points backwards. */
-  real sign = S[k];
-  for (int i = 0; i < 3; i++) v[i] = sign * S[3 + i];
-  q = sign * q;
-  return k == 0 ? turn(t, 1, 2, 0, q, v) : k == 1 ? turn(t, 2, 0, 1, q, v) : turn(t, 0, 1, 2, q, v);
+/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of range or something is no number; t is then
+ * of no use. */
+SHARED int advance(place *t, int k, const real S[6], real q) {
+  return k >= 0 && k < 3 ? turn(t, k, S, q) : FN(chs_p_advance_otherwise)(t, S, q);
 }
 
 /* Why a chain and joint values gave no result. */
@@ -117,13 +82,25 @@ int FN(chs_p_why_no_walk)(const chain *c, const real *q);
  * of range or no number, which only t may tell: then J and t are of no use. */
 int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t);
 
-/* Column i of J, which is 6 x n. */
+/* Column i of J, which is 6 x n. Written out, because compilers leave a loop a loop. */
 SHARED void get_column(const real *J, int n, int i, real column[6]) {
-  for (int row = 0; row < 6; row++) column[row] = J[n * row + i];
+  J += i;
+  column[0] = J[0];
+  column[1] = J[n];
+  column[2] = J[2 * n];
+  column[3] = J[3 * n];
+  column[4] = J[4 * n];
+  column[5] = J[5 * n];
 }
 
 SHARED void put_column(const real column[6], int n, int i, real *J) {
-  for (int row = 0; row < 6; row++) J[n * row + i] = column[row];
+  J += i;
+  J[0] = column[0];
+  J[n] = column[1];
+  J[2 * n] = column[2];
+  J[3 * n] = column[3];
+  J[4 * n] = column[4];
+  J[5 * n] = column[5];
 }
 
 #endif

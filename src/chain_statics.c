@@ -75,9 +75,19 @@ int FN(chs_chain_determinant)(const real J[36], real *determinant) {
   return CHS_OK;
 }
 
+/* The largest entry of three rows in size: first of each column, which wait for none of the others. */
+static inline real largest_of_rows(const real J[18]) {
+  real most[6];
+  UNROLL for (int j = 0; j < 6; j++) {
+    const real column[3] = {J[j], J[6 + j], J[12 + j]};
+    most[j] = largest(column, 3);
+  }
+  return largest(most, 6);
+}
+
 /* The factor that makes the last three rows as large as the first three. */
 static real balance(const real J[36]) {
-  real factor = largest(J, 18) / largest(J + 18, 18);
+  real factor = largest_of_rows(J) / largest_of_rows(J + 18);
   return factor > 0 && is_finite(factor) ? factor : K(1.0);
 }
 

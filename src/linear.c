@@ -1,62 +1,58 @@
 #include "linear.h"
 
-static inline void take_away(real factor, const real *x, real *y) {
-  y[0] -= factor * x[0];
-  y[1] -= factor * x[1];
-  y[2] -= factor * x[2];
-  y[3] -= factor * x[3];
-  y[4] -= factor * x[4];
-  y[5] -= factor * x[5];
-  y[6] -= factor * x[6];
-}
+/* Elimination with row interchanges, under way. */
+typedef struct elimination {
+  real *rows[6], inverses[6], least, det;
+  int exchanged;
+} elimination;
 
-/* Selections in place of branches here and below: which row it is cannot be foreseen. */
-static inline int pivot_row(real *const rows[6], int column) {
-  int best = column;
-  real most = ABS(rows[column][column]);
-  for (int i = column + 1; i < 6; i++) {
-    real size = ABS(rows[i][column]);
-    int larger = size > most;
-    best = larger ? i : best;
-    most = larger ? size : most;
+/* One column of it; false where all that is left of the column is 0. What is left below the diagonal is never read. */
+static INLINE int eliminate_column(elimination *e, int j, real size) {
+  real **rows = e->rows, most = ABS(rows[j][j]);
+  int best = j;
+  UNROLL for (int i = j + 1; i < 6; i++) {
+    real other = ABS(rows[i][j]);
+    best = other > most ? i : best;
+    most = other > most ? other : most;
   }
-  return best;
-}
-
-static real largest_of_column(const real *A, int j) {
-  const real column[6] = {A[j], A[7 + j], A[14 + j], A[21 + j], A[28 + j], A[35 + j]};
-  return largest(column, 6);
+  real *top = rows[best], pivot = top[j], share = most / size;
+  rows[best] = rows[j];
+  rows[j] = top;
+  e->exchanged ^= best != j;
+  e->det *= pivot;
+  e->least = share < e->least ? share : e->least;
+  if (pivot == 0) return 0;
+  real inverse = e->inverses[j] = K(1.0) / pivot;
+  UNROLL for (int i = j + 1; i < 6; i++) {
+    real *row = rows[i], factor = row[j] * inverse;
+    UNROLL for (int k = j + 1; k < 7; k++) row[k] -= factor * top[k];
+  }
+  return 1;
 }
 
 real FN(chs_p_eliminate)(real A[42], real x[6], real *determinant) {
-  real least = 1, det = 1, sizes[6], inverses[6];
-  int exchanged = 0;
-  real *rows[6] = {A, A + 7, A + 14, A + 21, A + 28, A + 35};
-  for (int j = 0; j < 6; j++) sizes[j] = largest_of_column(A, j);
+  elimination e = {{A, A + 7, A + 14, A + 21, A + 28, A + 35}, {0}, 1, 1, 0};
+  real sizes[6];
+  int regular = 1;
   for (int j = 0; j < 6; j++) {
-    int best = pivot_row(rows, j);
-    real *top = rows[best];
-    rows[best] = rows[j];
-    rows[j] = top;
-    real pivot = top[j], share = ABS(pivot) / sizes[j];
-    det *= pivot;
-    exchanged ^= best != j;
-    least = share < least ? share : least; /* NaN where the column is 0 */
-    if (pivot == 0) {
-      least = 0;
-      break;
+    sizes[j] = 0;
+    UNROLL for (int i = 0; i < 6; i++) {
+      real size = ABS(A[7 * i + j]);
+      sizes[j] = size > sizes[j] ? size : sizes[j];
     }
-    inverses[j] = K(1.0) / pivot;
-    /* What is left below the diagonal is never read. */
-    for (int i = j + 1; i < 6; i++) take_away(rows[i][j] * inverses[j], top, rows[i]);
   }
-  *determinant = exchanged ? -det : det;
-  for (int i = 5; i >= 0 && least > 0; i--) {
-    real rest = rows[i][6];
-    for (int k = i + 1; k < 6; k++) rest -= rows[i][k] * x[k];
-    x[i] = rest * inverses[i];
+  UNROLL for (int j = 0; j < 6; j++) {
+    regular = eliminate_column(&e, j, sizes[j]);
+    if (!regular) break;
   }
-  return least;
+  *determinant = e.exchanged ? -e.det : e.det;
+  if (!regular || !(e.least > 0)) return 0;
+  UNROLL for (int i = 5; i >= 0; i--) {
+    real rest = e.rows[i][6];
+    UNROLL for (int k = i + 1; k < 6; k++) rest -= e.rows[i][k] * x[k];
+    x[i] = rest * e.inverses[i];
+  }
+  return e.least;
 }
 
 static real dot_n(const real *a, const real *b, int n) {

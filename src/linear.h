@@ -22,7 +22,7 @@ real FN(chs_p_eliminate)(real Ab[42], real x[6], real *determinant);
 SHARED void augment(const real J[36], const real V[6], real factor, real Ab[42]) {
   for (int row = 0; row < 6; row++) {
     real f = row < 3 ? K(1.0) : factor;
-    for (int j = 0; j < 6; j++) Ab[7 * row + j] = f * J[6 * row + j];
+    UNROLL for (int j = 0; j < 6; j++) Ab[7 * row + j] = f * J[6 * row + j];
     Ab[7 * row + 6] = f * V[row];
   }
 }
