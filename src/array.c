@@ -201,7 +201,7 @@ void FN(chs_se3_apply_array)(size_t n, const real *T, size_t T_stride, const rea
   real pose[12]; /* one for all stays in registers, where y cannot reach it */
   if (n > 0) copy(T, 12, pose);
   if (T_stride != 0)
-    for (size_t i = 0; i < n; i++) transform(T + i * T_stride, x + i * x_stride, y + i * y_stride);
+    for (size_t i = 0; i < n; i++) FN(chs_se3_apply)(T + i * T_stride, x + i * x_stride, y + i * y_stride);
   else if (x_stride == 3 && y_stride == 3)
     move_points(n, pose, x, 3, y, 3); /* which compilers turn into vector instructions */
   else

@@ -26,6 +26,7 @@
 
 void describe_chasles_scenes(library &library);
 void describe_chasles_arrays(library &library);
+void describe_memcpy(library &library);
 
 namespace {
 
@@ -306,8 +307,9 @@ int main(int argc, char **argv) {
     return 2;
   }
   const int rounds = std::atoi(argv[3]);
-  std::vector<library> libraries = {chasles(), {}};
-  describe_chasles_arrays(libraries.back());
+  std::vector<library> libraries = {chasles(), {}, {}};
+  describe_chasles_arrays(libraries[1]);
+  describe_memcpy(libraries[2]);
   std::vector<std::string> only;
   for (int i = 5; i < argc; ++i) {
     if (std::strncmp(argv[i], "--only=", 7) == 0)

@@ -17,6 +17,8 @@ JUDGED = WITHIN_PI[1:]  # below 1e-150 squares underflow, which few have thought
 EPS = {"double": 2.0**-52, "float": 2.0**-23}
 OWN = "chasles"
 OWN_ARRAY = "chasles array"  # one call for all cases
+MEMCPY = "memcpy"  # of the points that a pose moves
+CLOUDS = ["cloud_in_cache", "cloud_beyond_cache"]
 FLAVOURS = {"O2": "-O2", "O3_native": "-O3 -march=native"}
 
 
@@ -45,9 +47,12 @@ class Results:
     def time(self, flavour, function, precision, library, angles="ordinary", cases=1024):
         return self.times.get((flavour, function, precision, library, angles, cases))
 
-    def peers(self, function, precision):
+    def others(self, function, precision):
         return [name for name in self.libraries
                 if name != OWN and self.time("O2", function, precision, name) is not None]
+
+    def peers(self, function, precision):
+        return [name for name in self.others(function, precision) if name not in (OWN_ARRAY, MEMCPY)]
 
     def has(self, function, precision):
         return self.time("O2", function, precision, OWN) is not None
@@ -65,7 +70,7 @@ class Results:
     def fastest(self, flavour, function, precision, accurate):
         """(ratio of its time to ours, its name) of the fastest peer, or None."""
         found = [(self.time(flavour, function, precision, name)["ratio"], name)
-                 for name in self.peers(function, precision) if name != OWN_ARRAY
+                 for name in self.peers(function, precision)
                  if not accurate or self.is_accurate(function, precision, name)]
         return min(found) if found else None
 
@@ -119,7 +124,7 @@ def overview(results, flavour):
 
 def details(results, function, precision):
     rows = []
-    for library in [OWN] + results.peers(function, precision):
+    for library in [OWN] + results.others(function, precision):
         row = [library]
         for flavour in FLAVOURS:
             for angles in ("ordinary", "mixed"):
@@ -135,7 +140,7 @@ def details(results, function, precision):
         titles += [f"{flavour}, {angles}{count}" for angles in ("", "mixed ") for count in ("1024", "8192")] + ["ratio"]
     remarks = {results.errors.get((function, precision, name), {}).get("remark") for name in results.libraries}
     remarks = sorted(f"{name}: {results.errors[(function, precision, name)]['remark']}."
-                     for name in results.peers(function, precision)
+                     for name in results.others(function, precision)
                      if "remark" in results.errors.get((function, precision, name), {}))
     title = f"### {function}{'f' if precision == 'float' else ''}\n\n"
     return title + table(["library", *titles, "tiny", "small", "ordinary", "near pi", "beyond pi"], rows) + (
@@ -146,7 +151,7 @@ def alone(results):
     """Functions that no peer has."""
     rows = []
     for function in results.functions:
-        if results.peers(function, "double") or results.peers(function, "float"):
+        if function in CLOUDS or results.peers(function, "double") or results.peers(function, "float"):
             continue
         row = [function]
         for precision in EPS:
@@ -155,6 +160,29 @@ def alone(results):
             row.append(shown_error(results.worst(function, precision, OWN)))
         rows.append(row)
     return table(["function", "double, O2", "O3", "error", "float, O2", "O3", "error"], rows)
+
+
+def arrays(results):
+    """The array forms by the single ones, in a loop over the same cases."""
+    rows = []
+    for function in results.functions:
+        row = [function]
+        for precision in EPS:
+            for flavour in FLAVOURS:
+                own, array = (results.time(flavour, function, precision, name) for name in (OWN, OWN_ARRAY))
+                row += ["", ""] if array is None else [shown_time(array), f"{own['ns'] / array['ns']:.2f}"]
+        if any(row[1:]):
+            rows.append(row)
+    return table(["function", "double, O2", "times", "O3", "times", "float, O2", "times", "O3", "times"], rows)
+
+
+def clouds(results):
+    """What moving points takes by what copying them takes."""
+    rows = []
+    for function in CLOUDS:
+        times = [results.time(flavour, function, precision, MEMCPY) for precision in EPS for flavour in FLAVOURS]
+        rows.append([function] + ["" if row is None else f"{1 / row['ratio']:.2f}" for row in times])
+    return table(["points", "double, O2", "O3", "float, O2", "O3"], rows)
 
 
 def limits(results, static_bounds):
@@ -212,6 +240,16 @@ pi but the tiny one.
 ## What no peer has, 1024 ordinary cases
 
 {alone(results)}
+## Many at once, 1024 ordinary cases
+
+Nanoseconds an element of the array forms, and how many times as fast as the single functions they are. Columns O2 and O3
+(with -march=native) as below.
+
+{arrays(results)}
+A cloud of points moved by one pose: its time by that of memcpy of the same points. In cache are 1024 points, beyond it
+2 million.
+
+{clouds(results)}
 ## The limit
 
 {limits(results, static_bounds)}
@@ -245,11 +283,11 @@ def draw(results, directory):
     most = 1 / EPS["double"]  # not a digit is right
     least = 0.3
     styles = {name: (f"C{i}", MARKERS[i % len(MARKERS)])
-              for i, name in enumerate(name for name in results.libraries if name not in (OWN, OWN_ARRAY))}
+              for i, name in enumerate(name for name in results.libraries if name not in (OWN, OWN_ARRAY, MEMCPY))}
     figure, axes = pyplot.subplots(2, 2, figsize=(9, 6), sharex=True, sharey=True, layout="constrained")
     handles = {}
     for panel, function in zip(axes.flat, PANELS):
-        for library in [name for name in results.peers(function, "double") if name != OWN_ARRAY] + [OWN]:
+        for library in results.peers(function, "double") + [OWN]:
             time = results.time("O2", function, "double", library)["ns"]
             error = min(max(results.worst(function, "double", library, JUDGED), least), most)
             colour, marker = styles.get(library, ("black", "o"))

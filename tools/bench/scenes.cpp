@@ -4,6 +4,7 @@
 #include <chasles/chasles.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "library.hpp"
@@ -154,6 +155,13 @@ template <class Real> void describe_precision(library &library) {
   });
 }
 
+/* Room for what an array form gives beside the outputs that are looked at. */
+template <class Type> Type *room(std::size_t count) {
+  static std::vector<Type> memory;
+  memory.resize(count);
+  return memory.data();
+}
+
 /* An array form: one call for all cases, which lie as in functions.def. */
 template <class Real> class array_task final : public task {
 public:
@@ -166,7 +174,10 @@ public:
     out_.resize(cases_ * static_cast<std::size_t>(outputs_));
   }
   void run() override { call_(cases_, in_.data(), out_.data()); }
-  void store(double *out, int) const override { std::copy(out_.begin(), out_.end(), out); }
+  void store(double *out, int stride) const override {
+    for (std::size_t i = 0; i < cases_; ++i, out += stride)
+      std::copy_n(out_.begin() + static_cast<std::ptrdiff_t>(i) * outputs_, outputs_, out);
+  }
 
 private:
   call call_;
@@ -178,9 +189,45 @@ private:
 };
 
 template <class Real>
-void add_array(library &library, const char *name, int inputs, int outputs, typename array_task<Real>::call call) {
-  library.entries.push_back({name, sizeof(Real) == sizeof(float), 0, outputs,
+void add_array(library &library, const char *name, int inputs, int outputs, typename array_task<Real>::call call,
+               int first_output = 0) {
+  library.entries.push_back({name, sizeof(Real) == sizeof(float), first_output, outputs,
                              [=] { return std::make_unique<array_task<Real> >(call, inputs, outputs); }, ""});
+}
+
+/* A cloud made of the cases' points, as often as asked, moved by the first case's pose or merely copied. */
+template <class Real> class cloud_task final : public task {
+public:
+  using call = void (*)(std::size_t points, const Real *pose, const Real *x, Real *y);
+  cloud_task(call call, int times) : call_(call), times_(times) {}
+  void load(const double *in, int stride, int cases) override {
+    pose_.assign(in, in + 16);
+    x_.clear();
+    for (int k = 0; k < times_; ++k)
+      for (int i = 0; i < cases; ++i) x_.insert(x_.end(), in + i * stride + 16, in + i * stride + 19);
+    y_.resize(x_.size());
+  }
+  void run() override { call_(x_.size() / 3, pose_.data(), x_.data(), y_.data()); }
+  void store(double *, int) const override {}
+
+private:
+  call call_;
+  int times_;
+  std::vector<Real> pose_, x_, y_;
+};
+
+template <class Real> void add_clouds(library &library, typename cloud_task<Real>::call call) {
+  const auto add = [&](const char *name, int times) {
+    library.entries.push_back({name, sizeof(Real) == sizeof(float), 0, 0,
+                               [=] { return std::make_unique<cloud_task<Real> >(call, times); }, ""});
+  };
+  add("cloud_in_cache", 1);
+  add("cloud_beyond_cache", cloud_thousands);
+}
+
+template <class Real> void copy_cloud(std::size_t points, const Real *, const Real *x, Real *y) {
+  std::memcpy(y, x, 3 * points * sizeof(Real));
+  __asm__ volatile("" : : "r"(y) : "memory"); /* somebody reads it */
 }
 
 } // namespace
@@ -188,26 +235,55 @@ void add_array(library &library, const char *name, int inputs, int outputs, type
 void describe_chasles_arrays(library &library) {
   library.name = "chasles array";
   library.version = CHS_VERSION;
-#define ARRAYS(real, f)                                                                                                \
-  add_array<real>(library, "so3_exp", 3, 9,                                                                            \
-                  [](std::size_t n, const real *in, real *out) { chs_so3_exp_array##f(n, in, 3, out, 9, nullptr); });  \
-  add_array<real>(library, "so3_log", 9, 3,                                                                            \
-                  [](std::size_t n, const real *in, real *out) { chs_so3_log_array##f(n, in, 9, out, 3, nullptr); });  \
-  add_array<real>(library, "se3_exp", 6, 16,                                                                           \
-                  [](std::size_t n, const real *in, real *out) { chs_se3_exp_array##f(n, in, 6, out, 16, nullptr); }); \
-  add_array<real>(library, "se3_log", 16, 6,                                                                           \
-                  [](std::size_t n, const real *in, real *out) { chs_se3_log_array##f(n, in, 16, out, 6, nullptr); }); \
-  add_array<real>(library, "se3_compose", 32, 16, [](std::size_t n, const real *in, real *out) {                       \
-    chs_se3_compose_array##f(n, in, 32, in + 16, 32, out, 16);                                                         \
-  });                                                                                                                  \
-  add_array<real>(library, "se3_apply", 19, 3, [](std::size_t n, const real *in, real *out) {                          \
-    chs_se3_apply_array##f(n, in, 19, in + 16, 19, out, 3);                                                            \
+#define ONE_BY_ONE(real, f, name, inputs, outputs)                                                \
+  add_array<real>(library, #name, inputs, outputs, [](std::size_t n, const real *in, real *out) { \
+    chs_##name##_array##f(n, in, inputs, out, outputs, nullptr);                                  \
   });
+#define METHOD(real, f, name)                                                                                 \
+  add_array<real>(                                                                                            \
+      library, "motion_" #name, 19, 16,                                                                       \
+      [](std::size_t n, const real *in, real *out) {                                                          \
+        chs_motion_##name##_array##f(n, in, 19, in + 9, 19, in[18], room<chs_screw##f>(n), out, 16, nullptr); \
+      },                                                                                                      \
+      8);
+#define ARRAYS(real, f)                                                                          \
+  ONE_BY_ONE(real, f, so3_exp, 3, 9)                                                             \
+  ONE_BY_ONE(real, f, so3_log, 9, 3)                                                             \
+  ONE_BY_ONE(real, f, se3_exp, 6, 16)                                                            \
+  ONE_BY_ONE(real, f, se3_log, 16, 6)                                                            \
+  add_array<real>(library, "se3_compose", 32, 16, [](std::size_t n, const real *in, real *out) { \
+    chs_se3_compose_array##f(n, in, 32, in + 16, 32, out, 16);                                   \
+  });                                                                                            \
+  add_array<real>(library, "se3_apply", 19, 3, [](std::size_t n, const real *in, real *out) {    \
+    chs_se3_apply_array##f(n, in, 19, in + 16, 19, out, 3);                                      \
+  });                                                                                            \
+  add_array<real>(library, "tilt_error", 18, 1, [](std::size_t n, const real *in, real *out) {   \
+    chs_tilt_error_array##f(n, in, 18, in + 9, 18, out, room<real>(n), nullptr);                 \
+  });                                                                                            \
+  add_array<real>(library, "screw_from_pose", 16, 0, [](std::size_t n, const real *in, real *) { \
+    chs_screw_from_pose_array##f(n, in, 16, room<chs_screw##f>(n), nullptr);                     \
+  });                                                                                            \
+  METHOD(real, f, bottema_roth)                                                                  \
+  METHOD(real, f, laub_shiflett)                                                                 \
+  METHOD(real, f, spoor_veldpaus)
   ARRAYS(double, )
   ARRAYS(float, f)
+}
+
+void describe_memcpy(library &library) {
+  library.name = "memcpy";
+  library.version = "of the C library";
+  add_clouds<double>(library, copy_cloud<double>);
+  add_clouds<float>(library, copy_cloud<float>);
 }
 
 void describe_chasles_scenes(library &library) {
   describe_precision<double>(library);
   describe_precision<float>(library);
+  add_clouds<double>(library, [](std::size_t n, const double *T, const double *x, double *y) {
+    chs_se3_apply_array(n, T, 0, x, 3, y, 3);
+  });
+  add_clouds<float>(library, [](std::size_t n, const float *T, const float *x, float *y) {
+    chs_se3_apply_arrayf(n, T, 0, x, 3, y, 3);
+  });
 }

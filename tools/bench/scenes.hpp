@@ -8,6 +8,7 @@ constexpr char scene_angles = '2'; /* of the arm's joints */
 constexpr char scene_goal = '3';   /* a pose of the arm's tool, and joint angles within 0.2 rad of it */
 
 constexpr int scene_points = 100;
+constexpr int cloud_thousands = 2048; /* of 1024 points */
 
 /* The arm: a UR5 by the maker's Denavit-Hartenberg parameters (Universal Robots, "DH parameters for calculations of
  * kinematics and dynamics"): Rz(q) Tz(d) Tx(a) Rx(alpha), joint after joint. Metres, and quarter turns for alpha. */
