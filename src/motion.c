@@ -230,7 +230,7 @@ static int moves(const triangles *t) {
 }
 
 /* k of the errors: the longest side over the smallest height. */
-static SELDOM real condition_of(const triangles *t) {
+static APART real condition_of(const triangles *t) {
   real normal[3], aa = dot(t->a, t->a), cc = dot(t->c, t->c), bb = aa + cc + K(2.0) * dot(t->a, t->c);
   real longest = aa > cc ? aa : cc;
   cross(t->a, t->c, normal);
@@ -270,7 +270,7 @@ int FN(chs_p_finish_translation)(const real travel[3], screw *out, real T[16]) {
 }
 
 /* What all methods do once the rotation is known: the screw, the pose, and what is special about them. */
-static SELDOM int finish(const place *p, real condition, quaternion *q, screw *out, real T[16]) {
+static APART int finish(const place *p, real condition, quaternion *q, screw *out, real T[16]) {
   real vv = dot(q->v, q->v), nn = vv + q->w * q->w, n = SQRT(vv), zone = K(8.0) * EPS * condition;
   if (q->w < 0) negate(q);
   int half_turn = q->w <= zone * n;
@@ -294,10 +294,10 @@ static INLINE int solve_with_care(method *find, int may_be_plain, const real ini
   quaternion q;
   int status = read_triangles(initial, final, tolerance, &t, &p);
   if (status != CHS_OK) return status;
-  if (!moves(&t) && is_still(initial, final)) return FN(chs_p_finish_translation)(p.travel, out, T);
   find(&t, &q);
   if (may_be_plain && t.ordinary && plain(&t, &q)) return write_apart(&p, &q, out, T);
-  if (dot(q.v, q.v) == 0) return FN(chs_p_finish_translation)(p.travel, out, T);
+  if ((!moves(&t) && is_still(initial, final)) || dot(q.v, q.v) == 0)
+    return FN(chs_p_finish_translation)(p.travel, out, T);
   return finish(&p, condition_of(&t), &q, out, T);
 }
 
@@ -372,11 +372,11 @@ static INLINE int rodrigues(const triangles *t, quaternion *q) {
 static APART void laub_shiflett_apart(const triangles *t, quaternion *q) { laub_shiflett(t, q); }
 
 /* Eq. 23 on triangles that were read with care. */
-static SELDOM int clear_rodrigues(const triangles *t, quaternion *q) {
+static APART int clear_rodrigues(const triangles *t, quaternion *q) {
   return rodrigues(t, q) && well_shaped(t) && plain(t, q);
 }
 
-static SELDOM void bottema_roth_apart(const triangles *t, quaternion *q) {
+static APART void bottema_roth_apart(const triangles *t, quaternion *q) {
   if (!clear_rodrigues(t, q)) laub_shiflett_apart(t, q);
 }
 

@@ -1,6 +1,6 @@
 #include <chasles/motion.h>
 
-#include "cofactors.h"
+#include "exact.h"
 #include "motion_private.h"
 
 #ifdef CHS_SINGLE
@@ -66,9 +66,12 @@ static INLINE void gather(const run *r, const real about[6], int weighted, real 
     pp += x * vx + y * vy + z * vz;
     qq += fx * ux + fy * uy + fz * uz;
   }
-  const real all[SUMS] = {w, px, py, pz, qx, qy, qz, xx, xy, xz, yx, yy, yz, zx, zy, zz, pp, qq};
-  copy(all, SUMS, sum);
-  if (!weighted) sum[WEIGHT] = (real)r->count;
+  sum[WEIGHT] = weighted ? w : (real)r->count;
+  real *first = sum + FIRST, *H = sum + PRODUCTS;
+  first[0] = px, first[1] = py, first[2] = pz, first[3] = qx, first[4] = qy, first[5] = qz;
+  H[0] = xx, H[1] = xy, H[2] = xz, H[3] = yx, H[4] = yy, H[5] = yz, H[6] = zx, H[7] = zy, H[8] = zz;
+  sum[SQUARES] = pp;
+  sum[SQUARES + 1] = qq;
 }
 
 /* The sums about two other points. */
@@ -129,7 +132,7 @@ static size_t room_for(const motion_sums *s, const run *r) {
 
 /* Adds the points of a run at once. False, and nothing added, where they must be looked at one by one: where one is
  * missing, or the squares leave the format's range. */
-static int add_block(motion_sums *s, const run *r) {
+static APART int add_block(motion_sums *s, const run *r) {
   real sum[SUMS];
   if (r->weights || s->scale != 1)
     gather(r, s->about, 1, s->scale, sum);
@@ -159,10 +162,9 @@ static void fit_scale(motion_sums *s, real most) {
   s->scale = scale;
 }
 
-/* Adds one point, if it is there. */
-static int add_point(motion_sums *s, const run *point) {
+/* Makes the sums ready for a point, if it is there. */
+static APART int make_ready(motion_sums *s, const run *point) {
   real w = weight_of(point, 0), apart[6];
-  if (w == 0) return CHS_OK;
   if (!all_finite(point->initial, 3) || !all_finite(point->final, 3)) {
     s->missing++;
     return CHS_POINTS_MISSING;
@@ -176,8 +178,14 @@ static int add_point(motion_sums *s, const run *point) {
     fit_scale(s, most);
   }
   if (room_for(s, point) == 0) make_room(s, point, w);
-  add_block(s, point);
   return CHS_OK;
+}
+
+static INLINE int add_point(motion_sums *s, const run *point) {
+  if (weight_of(point, 0) == 0) return CHS_OK;
+  int status = make_ready(s, point);
+  if (status == CHS_OK) add_block(s, point);
+  return status;
 }
 
 static run rest_of(run r, size_t done) {
@@ -221,16 +229,16 @@ typedef struct cloud {
 
 /* NaN where not even one component is a number. */
 static int read_cloud(const motion_sums *s, cloud *c) {
-  real w = total(s, WEIGHT), mean[6];
+  real w = total(s, WEIGHT), unscale = K(1.0) / s->scale, mean[6];
   for (int k = 0; k < 6; k++) {
     mean[k] = total(s, FIRST + k) / w;
-    c->offset[k] = mean[k] / s->scale;
+    c->offset[k] = mean[k] * unscale;
   }
   for (int k = 0; k < 2; k++) {
     const real *m = mean + 3 * k;
     c->squares[k] = total(s, SQUARES + k) - w * dot(m, m);
     if (c->squares[k] < 0) c->squares[k] = 0;
-    c->size[k] = SQRT(c->squares[k] / w) / s->scale;
+    c->size[k] = SQRT(c->squares[k] / w) * unscale;
   }
   for (int i = 0; i < 3; i++) {
     c->center[i] = s->about[i] + c->offset[i];
@@ -242,11 +250,16 @@ static int read_cloud(const motion_sums *s, cloud *c) {
     if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
   real reduce = EPS / power_of_two_below(EPS * c->N);
   c->reduce = reduce;
-  for (int i = 0; i < 9; i++) c->H[i] = reduce * (total(s, PRODUCTS + i) - w * mean[3 + i / 3] * mean[i % 3]);
+  for (int i = 0; i < 9; i += 3) {
+    real wy = w * mean[3 + i / 3];
+    c->H[i] = reduce * (total(s, PRODUCTS + i) - wy * mean[0]);
+    c->H[i + 1] = reduce * (total(s, PRODUCTS + i + 1) - wy * mean[1]);
+    c->H[i + 2] = reduce * (total(s, PRODUCTS + i + 2) - wy * mean[2]);
+  }
   c->squares[0] *= reduce;
   c->squares[1] *= reduce;
   c->N *= reduce;
-  return all_finite(c->H, 9) && all_finite(c->travel, 3) ? CHS_OK : CHS_ERR_OVERFLOW;
+  return all_finite(c->travel, 3) ? CHS_OK : CHS_ERR_OVERFLOW; /* and H is, since |H| <= N */
 }
 
 static real square_of(const real X[9]) { return dot(X, X) + dot(X + 3, X + 3) + dot(X + 6, X + 6); }
@@ -285,7 +298,8 @@ static int first_guess(const cloud *c, const real C[9], real HH, real CC, best_r
   multiply(Ht, H, G);
   for (int i = 0; i < 9; i++) G[i] = (i % 4 == 0 ? sum : K(0.0)) - G[i];
   multiply(H, G, R);
-  for (int i = 0; i < 9; i++) R[i] = (R[i] + lambda * C[i]) / divisor;
+  real scale = K(1.0) / divisor;
+  for (int i = 0; i < 9; i++) R[i] = scale * (R[i] + lambda * C[i]);
   best->q = quaternion_of(R);
   best->trace = lambda;
   return 1;
@@ -311,7 +325,8 @@ static int improve(const cloud *c, best_rotation *best, int *moved) {
   cross(A, A + 3, C + 6);
   real det = dot(A, C);
   if (!(A[0] > 0 && C[8] > 0 && det > 0)) return 0;
-  for (int i = 0; i < 9; i++) best->inverse[i] = C[i] / det;
+  real scale = K(1.0) / det;
+  for (int i = 0; i < 9; i++) best->inverse[i] = scale * C[i];
   best->condition = c->N * SQRT(square_of(best->inverse));
   rotate(best->inverse, gradient, w);
   cross(q->v, w, vxw);
@@ -328,13 +343,25 @@ static int improve(const cloud *c, best_rotation *best, int *moved) {
   return 1;
 }
 
+/* C = cof(H), with its digits also where H is nearly singular, and its square, |H|^2 being HH. */
+static real cofactors_of(const real H[9], real HH, real C[9]) {
+  cross(H + 3, H + 6, C);
+  cross(H + 6, H, C + 3);
+  cross(H, H + 3, C + 6);
+  real CC = square_of(C);
+  if (CC >= K(0.015625) * (HH * HH)) return CC;
+  exact_cross(H + 3, H + 6, C);
+  exact_cross(H + 6, H, C + 3);
+  exact_cross(H, H + 3, C + 6);
+  return square_of(C);
+}
+
 static int rotate_best(const motion_sums *s, const cloud *c, best_rotation *best) {
   real C[9], HH, CC, coarse[2];
   for (int k = 0; k < 2; k++) coarse[k] = K(8.0) * EPS * largest(s->about + 3 * k, 3) / c->size[k];
   real least = K(8.0) * EPS + coarse[0] * coarse[1];
   HH = square_of(c->H);
-  CC = cofactors(c->H, SQRT(HH), C);
-  CC *= CC;
+  CC = cofactors_of(c->H, HH, C);
   if (HH <= least * least) return CHS_ERR_SINGULAR;
   if (CC <= HH * (least * least)) return CHS_ERR_COLLINEAR;
   if (!first_guess(c, C, HH, CC, best)) return CHS_ERR_SINGULAR;
@@ -350,20 +377,31 @@ static real relative_square(const cloud *c, const best_rotation *best) {
   return rest > 0 ? rest / c->squares[0] : K(0.0);
 }
 
+/* Where neither the centroid nor its displacement over twice the tangent of the half-angle nears the end of the format,
+ * the axis is within it, whatever the screw is asked for. */
+static int axis_within(const cloud *c, real n) {
+  const real most = REAL_MAX * K(0.015625);
+  return largest(c->center, 3) <= most && largest(c->travel, 3) <= most * (n < 1 ? n : K(1.0));
+}
+
 /* The screw and the pose, and what is special about them. A rotation smaller than its own error counts as none. */
 static int displace(const cloud *c, best_rotation *best, screw *out, real T[16]) {
   quaternion *q = &best->q;
-  real R[9], p[3], turned[3], n = norm(q->v, 3), zone = K(8.0) * EPS * best->condition;
+  real R[9], p[3], vv = dot(q->v, q->v), n = SQRT(vv), zone = K(8.0) * EPS * best->condition;
   if (n <= best->condition * EPS * q->w) return FN(chs_p_finish_translation)(c->travel, out, T);
   int half_turn = q->w <= zone * n;
-  screw s;
   settle_half_turn(q, zone, n);
-  rotation_from_quaternion(q, dot(q->v, q->v) + q->w * q->w, R);
-  if (!screw_of_rotation(q, n, c->center, c->travel, &s)) return CHS_ERR_OVERFLOW;
-  rotate(R, c->center, turned);
-  for (int i = 0; i < 3; i++) p[i] = (c->center[i] - turned[i]) + c->travel[i];
+  rotation_from_quaternion(q, vv + q->w * q->w, R);
+  rotate(R, c->center, p);
+  for (int i = 0; i < 3; i++) p[i] = (c->center[i] - p[i]) + c->travel[i];
   if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
-  if (out) *out = s;
+  if (out || !axis_within(c, n)) {
+    screw s;
+    screw_through(c->center, c->travel, q->v, K(1.0) / n, q->w / n, &s);
+    s.angle = K(2.0) * FN(chs_p_angle_of)(n, q->w > 0 ? q->w : K(0.0));
+    if (!all_finite(s.point, 3)) return CHS_ERR_OVERFLOW;
+    if (out) *out = s;
+  }
   if (T) join(R, p, T);
   if (best->condition * SQRT(EPS) > K(1.0)) return CHS_ILL_CONDITIONED;
   return half_turn ? CHS_HALF_TURN : CHS_OK;
@@ -402,22 +440,6 @@ int FN(chs_motion_add)(motion_sums *s, const real initial[3], const real final[3
   return add_point(s, &point);
 }
 
-int FN(chs_motion_finish)(const motion_sums *s, real tolerance, screw *out, real T[16], motion_quality *quality) {
-  cloud c;
-  best_rotation best;
-  int status = solve(s, &c, &best);
-  if (status != CHS_OK) return status;
-  motion_quality found;
-  found.rms = SQRT(relative_square(&c, &best)) * c.size[0];
-  found.largest = K(-1.0);
-  found.largest_at = s->points;
-  describe(s, &c, &best, &found);
-  if (!(found.rigidity <= tolerance)) return CHS_ERR_NOT_RIGID;
-  status = with_missing(s, displace(&c, &best, out, T));
-  if (status >= 0 && quality) *quality = found;
-  return status;
-}
-
 /* The stretches of points that are there. */
 static int add_all(motion_sums *s, const run *all, const unsigned char *missing) {
   if (!missing) return add_run(s, *all);
@@ -441,8 +463,9 @@ static void look_back(const motion_sums *s, const cloud *c, const best_rotation 
                       const unsigned char *missing, motion_quality *found) {
   real R[9], sum = 0, most = -1, nn = dot(best->q.v, best->q.v) + best->q.w * best->q.w;
   rotation_from_quaternion(&best->q, nn, R);
+  int gaps = s->missing > 0 || r->weights;
   for (size_t i = 0; i < r->count; i++) {
-    if (!is_there(r, missing, i)) continue;
+    if (gaps && !is_there(r, missing, i)) continue;
     real x[3], y[3], off[3];
     const real *p = r->initial + 3 * i, *q = r->final + 3 * i;
     for (int k = 0; k < 3; k++) {
@@ -452,7 +475,7 @@ static void look_back(const motion_sums *s, const cloud *c, const best_rotation 
     rotate(R, x, off);
     subtract(y, off, off);
     real square = dot(off, off);
-    sum += weight_of(r, i) * square;
+    sum += r->weights ? r->weights[i] * square : square;
     if (square > most) {
       most = square;
       found->largest_at = i;
@@ -462,28 +485,43 @@ static void look_back(const motion_sums *s, const cloud *c, const best_rotation 
   found->largest = SQRT(most) / s->scale;
 }
 
+/* All that follows once the points are summed; r is NULL where they cannot be looked at again. Apart, for while points
+ * are summed its memory need not be there. */
+static APART int conclude(const motion_sums *s, const run *r, const unsigned char *missing, real tolerance, screw *out,
+                          real T[16], motion_quality *quality) {
+  cloud c;
+  best_rotation best;
+  motion_quality found;
+  int status = solve(s, &c, &best);
+  if (status != CHS_OK) return status;
+  /* What was summed settles most questions of tolerance. */
+  real square = relative_square(&c, &best), doubt = K(64.0) * EPS * (c.squares[0] + c.squares[1]) / c.squares[0];
+  if (!r) {
+    found.rms = SQRT(square) * c.size[0];
+    found.largest = K(-1.0);
+    found.largest_at = s->points;
+  } else if (quality || !(tolerance > 0 && square + doubt < tolerance * tolerance))
+    look_back(s, &c, &best, r, missing, &found);
+  else
+    found.rms = 0;
+  describe(s, &c, &best, &found);
+  if (!(found.rigidity <= tolerance)) return CHS_ERR_NOT_RIGID;
+  status = with_missing(s, displace(&c, &best, out, T));
+  if (status >= 0 && quality) *quality = found;
+  return status;
+}
+
+int FN(chs_motion_finish)(const motion_sums *s, real tolerance, screw *out, real T[16], motion_quality *quality) {
+  return conclude(s, NULL, NULL, tolerance, out, T, quality);
+}
+
 int FN(chs_motion_fit)(size_t n, const real *initial, const real *final, const real *weights,
                        const unsigned char *missing, real tolerance, screw *out, real T[16], motion_quality *quality) {
   motion_sums s;
-  cloud c;
-  best_rotation best;
   const run all = {n, initial, final, weights};
   FN(chs_motion_begin)(&s);
   int status = add_all(&s, &all, missing);
-  if (status == CHS_OK) status = solve(&s, &c, &best);
-  if (status != CHS_OK) return status;
-  /* What was summed settles most questions of tolerance. */
-  motion_quality found;
-  real square = relative_square(&c, &best), doubt = K(64.0) * EPS * (c.squares[0] + c.squares[1]) / c.squares[0];
-  int settled = tolerance > 0 && square + doubt < tolerance * tolerance;
-  if (quality || !settled) {
-    look_back(&s, &c, &best, &all, missing, &found);
-    describe(&s, &c, &best, &found);
-    if (!(found.rigidity <= tolerance)) return CHS_ERR_NOT_RIGID;
-  }
-  status = with_missing(&s, displace(&c, &best, out, T));
-  if (status >= 0 && quality) *quality = found;
-  return status;
+  return status == CHS_OK ? conclude(&s, &all, missing, tolerance, out, T, quality) : status;
 }
 
 /* C += factor J P J^T for J of n rows of three, P symmetric. */
@@ -529,7 +567,8 @@ static void slopes_by_shift(const screw_slopes *s, const real shift[3], real slo
 static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /* turn and shift: the variances of the rotation, times the inverse curvature, and of a centroid's component. */
-static void pose_covariance(const cloud *c, const real R[9], const real inverse[9], real turn, real shift, real C[36]) {
+static APART void pose_covariance(const cloud *c, const real R[9], const real inverse[9], real turn, real shift,
+                                  real C[36]) {
   real J[18], arm[3], column[3];
   rotate(R, c->center, arm);
   for (int j = 0; j < 3; j++) {
@@ -545,8 +584,8 @@ static void pose_covariance(const cloud *c, const real R[9], const real inverse[
   for (int i = 3; i < 6; i++) C[7 * i] += shift;
 }
 
-static void screw_covariance(const cloud *c, const best_rotation *best, const real e[3], const real R[9], real turn,
-                             real shift, real C[64]) {
+static APART void screw_covariance(const cloud *c, const best_rotation *best, const real e[3], const real R[9],
+                                   real turn, real shift, real C[64]) {
   real vv = dot(best->q.v, best->q.v), w = best->q.w > 0 ? best->q.w : K(0.0), by_turn[24], by_shift[24], slope[8];
   screw_slopes s = {e, {0}, {0}, w / SQRT(vv), (vv + w * w) / vv};
   copy(c->travel, 3, s.travel);
