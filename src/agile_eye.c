@@ -110,12 +110,6 @@ static void sine_and_cosine(real angle, real *sine, real *cosine) {
   FN(chs_p_sin_cos)(turned.hi, turned.lo + CHS_HALF_PI_B, cosine, &unused);
 }
 
-static int joints_status(const real joints[3]) {
-  int status = finiteness(joints, 3);
-  if (status != CHS_OK) return status;
-  return largest(joints, 3) > ANGLE_MAX ? CHS_ERR_ANGLE_RANGE : CHS_OK;
-}
-
 static int legs_status(const legs *l) {
   real least = l->d[0] < l->d[1] ? l->d[0] : l->d[1], rounding = K(8.0) * EPS * l->size;
   if (l->d[2] < least) least = l->d[2];
@@ -127,7 +121,7 @@ static int legs_status(const legs *l) {
 /* D and N_i are differences of products of which none exceeds d_j d_k, the length of (D, N_i): their errors are small
  * against it however small it is. */
 static int legs_of(const real joints[3], legs *l) {
-  int status = joints_status(joints);
+  int status = FN(chs_p_angles_status)(joints, 3);
   if (status != CHS_OK) return status;
   real *s = l->s, *c = l->c;
   for (int i = 0; i < 3; i++) sine_and_cosine(joints[i], s + i, c + i);
@@ -179,7 +173,7 @@ int FN(chs_agile_eye_direct)(const real joints[3], int assembly, real R[9]) {
     if (status < 0) return status;
     first_assembly(&l, first);
   } else {
-    status = joints_status(joints);
+    status = FN(chs_p_angles_status)(joints, 3);
     if (status < 0) return status;
     locked_assembly(first);
   }
@@ -203,7 +197,7 @@ int FN(chs_agile_eye_direct_working)(const real joints[3], int working, real R[9
 }
 
 int FN(chs_agile_eye_direct_near)(const real joints[3], const real last[9], real R[9]) {
-  int status = first_error(joints_status(joints), check_rotation(last));
+  int status = first_error(FN(chs_p_angles_status)(joints, 3), check_rotation(last));
   if (status != CHS_OK) return status;
   legs l;
   status = legs_of(joints, &l);

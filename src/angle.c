@@ -52,3 +52,9 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
 }
 
 real FN(chs_p_angle_of)(real y, real x) { return angle_from(y, x); }
+
+int FN(chs_p_angles_status)(const real *angles, int n) {
+  int status = finiteness(angles, n);
+  if (status != CHS_OK) return status;
+  return largest(angles, n) > ANGLE_MAX ? CHS_ERR_ANGLE_RANGE : CHS_OK;
+}

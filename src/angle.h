@@ -101,6 +101,9 @@ SHARED real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
 SHARED real cubic_ratio(half_angle h) { return h.cubic; }
 SHARED real half_cotangent(half_angle h) { return K(0.5) * h.c / h.s; }
 
+/* CHS_OK where chs_p_sin_cos takes all of the angles, or CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
+int FN(chs_p_angles_status)(const real *angles, int n);
+
 /* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to twice CHS_ANGLE_MAX. */
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine);
 

@@ -15,9 +15,8 @@ int FN(chs_tilt_error)(const real nominal[9], const real actual[9], real *alpha,
 
 int FN(chs_tilt_to_rotation)(real azimuth, real tilt, real torsion, real R[9]) {
   const real angles[3] = {azimuth, tilt, torsion};
-  int status = finiteness(angles, 3);
+  int status = FN(chs_p_angles_status)(angles, 3);
   if (status != CHS_OK) return status;
-  if (largest(angles, 3) > ANGLE_MAX) return CHS_ERR_ANGLE_RANGE;
 
   /* azimuth + spin = torsion, the spin to more than its own format. */
   exact_sum spin = two_sum(torsion, -azimuth);

@@ -1,6 +1,6 @@
 #include <chasles/tilt.h>
 
-#include "rotation.h"
+#include "pose.h"
 
 /* What a pose of a few eps may show of errors where there are none, in radians and for a position of size 1. */
 #define ROUNDING (K(16.0) * EPS)
@@ -23,13 +23,6 @@ typedef struct study {
   int status;              /* the first that was positive, or CHS_OK */
 } study;
 
-static void split_pose(const real T[16], real R[9], real p[3]) {
-  for (int i = 0; i < 3; i++) {
-    copy(T + 4 * i, 3, R + 3 * i);
-    p[i] = T[4 * i + 3];
-  }
-}
-
 static int note(study *s, int status) {
   if (s->status == CHS_OK && status > 0) s->status = status;
   return status;
@@ -38,7 +31,7 @@ static int note(study *s, int status) {
 static int pose_of_robot(study *s, const real *q, real R[9], real p[3]) {
   real T[16];
   int status = note(s, s->robot(q, s->context, T));
-  if (status >= 0) split_pose(T, R, p);
+  if (status >= 0) part(T, R, p);
   return status;
 }
 
