@@ -35,9 +35,8 @@ SHARED void offsets(const real R[9], real off[6]) {
   off[0] = dot(R, R) - K(1.0);
   off[1] = dot(R + 3, R + 3) - K(1.0);
   off[2] = dot(R, R + 3);
-  off[3] = R[6] - (R[1] * R[5] - R[2] * R[4]);
-  off[4] = R[7] - (R[2] * R[3] - R[0] * R[5]);
-  off[5] = R[8] - (R[0] * R[4] - R[1] * R[3]);
+  cross(R, R + 3, off + 3);
+  subtract(R + 6, off + 3, off + 3);
 }
 
 /* The largest of them in size; NaN where the matrix holds one. */
