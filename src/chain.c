@@ -3,13 +3,16 @@
 
 #include <string.h>
 
-/* omega . v of a joint rounded once: in a revolute joint it is nothing but rounding, and q times that would count. */
-static real exact_pitch(const real S[6]) {
-  real scale = safe_to_square(largest(S + 3, 3));
-  exact_sum sum = product(S[0], scale * S[3]);
-  add(&sum, product(S[1], scale * S[4]));
-  add(&sum, product(S[2], scale * S[5]));
-  return (sum.hi + sum.lo) / scale;
+/* omega x v and omega . v, rounded once or twice. In a revolute joint omega . v is nothing but rounding, and q times that
+ * would count; and omega x v counts up to twice. */
+static void exact_products(const real S[6], real wxv[3], real *pitch) {
+  real scale = safe_to_square(largest(S + 3, 3)), v[3] = {scale * S[3], scale * S[4], scale * S[5]};
+  exact_sum sum = product(S[0], v[0]);
+  add(&sum, product(S[1], v[1]));
+  add(&sum, product(S[2], v[2]));
+  *pitch = (sum.hi + sum.lo) / scale;
+  exact_cross(S, v, wxv);
+  multiply_by(K(1.0) / scale, wxv);
 }
 
 /* omega . omega - 1, to full precision where that is small. */
@@ -18,21 +21,24 @@ static real excess_of(const real w[3]) {
   return (square.head - K(1.0)) + square.rest;
 }
 
-/* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
- * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-static int turn_about(place *t, real excess, real q, const real S[6]) {
-  real sine, cosine, E[9], u[3], wxv[3];
+/* A turn by q about any unit axis, which rounding has made longer or shorter by
+ * a few eps. The formula G(q) v = q v + (1 - cos q) w x v + (q - sin q) w x (w
+ * x v) needs no second cross product, as w . w = 1. */
+static void turn_about(place *t, real excess, real q, real sine, real cosine, const real S[6]) {
+  real E[9], u[3], wxv[3], versine = K(1.0) - cosine;
   const real *w = S, *v = S + 3;
-  if (!sin_cos_of(q, &sine, &cosine)) return 0;
-  real versine = K(1.0) - cosine, pitch = ABS(q) <= 1 ? dot(w, v) : exact_pitch(S);
+  real pitch = dot(w, v);
+  cross(w, v, wxv);
+  if (ABS(q) > 1) exact_products(S, wxv, &pitch);
   real along = (q - sine) * (pitch - K(1.5) * excess * pitch);
+  /* Beyond a quarter turn the versine is 2 less something small, and 2 wxv is
+   * not rounded. */
+  real whole = cosine < 0 ? K(2.0) : K(0.0), rest = ((K(1.0) - whole) - cosine) - excess * versine;
   sine -= K(0.5) * excess * sine;
   versine -= excess * versine;
   rotation_from(w, sine, K(0.5) * versine, K(0.5) + K(0.5) * cosine, E);
-  cross(w, v, wxv);
-  for (int i = 0; i < 3; i++) u[i] = sine * v[i] + (versine * wxv[i] + along * w[i]);
+  for (int i = 0; i < 3; i++) u[i] = whole * wxv[i] + (sine * v[i] + (rest * wxv[i] + along * w[i]));
   move(t, E, u);
-  return 1;
 }
 
 /* t <- t exp([S] q), where omega is of no use as it is. */
@@ -45,15 +51,27 @@ static int advance_by_exp(place *t, const real S[6], real q) {
   return 1;
 }
 
-int FN(chs_p_advance_otherwise)(place *t, const real S[6], real q) {
-  if (S[0] == 0 && S[1] == 0 && S[2] == 0) {
-    real v[3] = {q * S[3], q * S[4], q * S[5]};
-    rotate(t->R, v, v);
-    add_to(t->p, v);
+static void slide(place *t, const real S[6], real q) {
+  real v[3] = {q * S[3], q * S[4], q * S[5]};
+  rotate(t->R, v, v);
+  add_to(t->p, v);
+}
+
+/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of
+ * range or something is no number; t is then of no use. */
+static int advance(place *t, int k, const real S[6], real q) {
+  real sine, cosine, excess = k < 0 ? excess_of(S) : K(0.0);
+  if (!(ABS(excess) <= K(8.0) * EPS)) return advance_by_exp(t, S, q);
+  if (k == 3) {
+    slide(t, S, q);
     return 1;
   }
-  real excess = excess_of(S);
-  return ABS(excess) <= K(8.0) * EPS ? turn_about(t, excess, q, S) : advance_by_exp(t, S, q);
+  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+  if (k < 0)
+    turn_about(t, excess, q, sine, cosine, S);
+  else
+    turn(t, k, S, q, sine, cosine);
+  return 1;
 }
 
 /* Where the walk starts: at the fixed frame, or at the home pose. */
@@ -102,7 +120,8 @@ int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
   return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
 }
 
-/* Ad(t) S, the column of the Jacobian of a joint at t, k being the frame's axis of S. */
+/* Ad(t) S, the column of the Jacobian of a joint at t, k being the frame's axis
+ * of S. */
 static inline void column_of(const place *t, int k, const real S[6], real column[6]) {
   real moment[3];
   if (k >= 0 && k < 3) {
@@ -150,22 +169,25 @@ int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
   return CHS_OK;
 }
 
-/* Numbers so ordinary that nothing can come out of range: what most calls need to be told. The sum is poisoned by
- * whatever is not finite. */
+/* Numbers so ordinary that nothing can come out of range: what most calls need
+ * to be told. The sums are poisoned by whatever is not finite. */
 static int is_ordinary(const chain *c, const real *q) {
-  const real most = K(1.0) / (K(64.0) * EPS);
-  real sum = 0;
+  const real *M = c->home;
+  real turns = 0, lengths = ABS(M[3]) + ABS(M[7]) + ABS(M[11]);
+  real entries =
+      ABS(M[0]) + ABS(M[1]) + ABS(M[2]) + ABS(M[4]) + ABS(M[5]) + ABS(M[6]) + ABS(M[8]) + ABS(M[9]) + ABS(M[10]);
   for (int i = 0; i < c->joints; i++) {
     const real *S = c->screws + 6 * i;
-    real size = ABS(S[0]) + ABS(S[1]) + ABS(S[2]) + ABS(S[3]) + ABS(S[4]) + ABS(S[5]);
-    sum += size * (K(1.0) + ABS(q[i]));
+    real times = K(1.0) + ABS(q[i]);
+    turns += (ABS(S[0]) + ABS(S[1]) + ABS(S[2])) * times;
+    lengths += (ABS(S[3]) + ABS(S[4]) + ABS(S[5])) * times;
   }
-  for (int i = 0; i < 12; i++) sum += ABS(c->home[i]);
-  return c->joints >= 1 && sum <= most;
+  return c->joints >= 1 && entries <= 8 && turns <= K(1.0) / (K(64.0) * EPS) && lengths <= K(0x1p-48) * REAL_MAX;
 }
 
-/* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`,
- * displacements from the fixed frame? Gives the tool's place. */
+/* A walk that writes nothing: is every number of the places and columns finite,
+ * columns seen from `frame`, displacements from the fixed frame? Gives the
+ * tool's place. */
 static int rehearse(const chain *c, const real *q, const place *frame, place *t) {
   int good = c->joints >= 1;
   start(c, t);
@@ -184,15 +206,16 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
   return good && is_finite_place(t);
 }
 
-/* CHS_OK where the walk may write its results as it goes, or why there are none. */
+/* CHS_OK where the walk may write its results as it goes, or why there are
+ * none. */
 static int may_walk(const chain *c, const real *q) {
   place t, end;
   if (is_ordinary(c, q)) return CHS_OK;
   return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : FN(chs_p_why_no_walk)(c, q);
 }
 
-/* The joint values moved to the end of an output that they may overlap. Each is read before what takes its place is
- * written. */
+/* The joint values moved to the end of an output that they may overlap. Each is
+ * read before what takes its place is written. */
 static const real *keep(const real *q, int n, real *end) {
   memmove(end, q, (size_t)n * sizeof *q);
   return end;

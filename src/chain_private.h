@@ -12,7 +12,6 @@
 #define frame_axis(...) FN(chs_p_frame_axis)(__VA_ARGS__)
 #define turn_row(...) FN(chs_p_turn_row)(__VA_ARGS__)
 #define turn(...) FN(chs_p_turn)(__VA_ARGS__)
-#define advance(...) FN(chs_p_advance)(__VA_ARGS__)
 #define get_column(...) FN(chs_p_get_column)(__VA_ARGS__)
 #define put_column(...) FN(chs_p_put_column)(__VA_ARGS__)
 
@@ -53,9 +52,7 @@ SHARED void turn_row(real row[3], int i, int j, int k, real sine, real cosine, c
 }
 
 /* A turn by q about axis k of t's frame or, where S[k] = -1, the other way round: two columns of R change. */
-SHARED int turn(place *t, int k, const real S[6], real q) {
-  real sine, cosine;
-  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+SHARED void turn(place *t, int k, const real S[6], real q, real sine, real cosine) {
   int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
   real versine = S[k] * (K(1.0) - cosine), vi = S[3 + i], vj = S[3 + j];
   const real u[3] = {sine * vi - versine * vj, sine * vj + versine * vi, q * S[3 + k]};
@@ -63,16 +60,6 @@ SHARED int turn(place *t, int k, const real S[6], real q) {
   turn_row(t->R, i, j, k, sine, cosine, u, t->p);
   turn_row(t->R + 3, i, j, k, sine, cosine, u, t->p + 1);
   turn_row(t->R + 6, i, j, k, sine, cosine, u, t->p + 2);
-  return 1;
-}
-
-/* t <- t exp([S] q) for any axis but one of the frame's. */
-int FN(chs_p_advance_otherwise)(place *t, const real S[6], real q);
-
-/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of range or something is no number; t is then
- * of no use. */
-SHARED int advance(place *t, int k, const real S[6], real q) {
-  return k >= 0 && k < 3 ? turn(t, k, S, q) : FN(chs_p_advance_otherwise)(t, S, q);
 }
 
 /* Why a chain and joint values gave no result. */
