@@ -1,53 +1,106 @@
 #include "angle.h"
 #include "exact.h"
 
-/* x - k pi for the integer k that brings it nearest to 0, as an unevaluated sum; returns whether k is odd. pi in three
- * parts and exact products keep the error near 2^-104 |x| in double (2^-46 in float) plus half an eps of the result. */
-static int reduce(real hi, real lo, real *r, real *r_lo) {
-  real k = (hi * (K(1.0) / CHS_PI_A) + TO_INTEGER) - TO_INTEGER;
-  real half_k = (K(0.5) * k + TO_INTEGER) - TO_INTEGER;
-  exact_sum x = {hi, lo};
-  add(&x, product(-k, CHS_PI_A));
-  add(&x, product(-k, CHS_PI_B));
-  add(&x, product(-k, CHS_PI_C));
-  x = two_sum(x.hi, x.lo);
-  *r = x.hi;
-  *r_lo = x.lo;
-  return K(2.0) * half_k != k;
+/* hi + lo - 2 pi k, k the integer that brings it nearest to 0, as high + low with a high whose square is exact. */
+typedef struct remainder_angle {
+  real high, low;
+  int odd; /* k is */
+} remainder_angle;
+
+static inline real turns_in(real angle) { return (angle * (K(0.5) / CHS_PI_A) + TO_INTEGER) - TO_INTEGER; }
+
+static inline remainder_angle remainder_of(real k, real x, real rest) {
+  real high = on_grid(x), half_k = (K(0.5) * k + TO_INTEGER) - TO_INTEGER;
+  remainder_angle a = {high, (x - high) + rest, K(2.0) * half_k != k};
+  return a;
+}
+
+/* For |hi| up to NEAR, with an error of a few hundredths of an eps: k times the short part of pi is exact. */
+static inline remainder_angle remainder_near(real hi, real lo) {
+  real k = turns_in(hi);
+  return remainder_of(k, hi - k * (K(2.0) * CHS_PI_SHORT), lo - k * (K(2.0) * CHS_PI_REST));
+}
+
+/* For every hi > pi, with an error near 2^-104 hi in double (2^-46 in float). */
+SELDOM static void remainder_far(real hi, real lo, remainder_angle *a) {
+  real k = turns_in(hi);
+  exact_sum turns = product(k, K(2.0) * CHS_PI_A);
+  *a = remainder_of(k, hi - turns.hi, (lo - turns.lo) - k * (K(2.0) * CHS_PI_B));
+}
+
+static inline half_angle half_angle_of_remainder(remainder_angle a, real *tt) {
+  real head = a.high * a.high, rest = a.low * ((a.high + a.high) + a.low);
+  split_square square = {head + rest, head, rest};
+  *tt = square.t;
+  return half_angle_within_pi(square);
 }
 
 void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine) {
-  real r, r_lo;
-  int odd = reduce(hi, lo, &r, &r_lo);
-  half_angle half = half_angle_within_pi(split_square_of(K(2.0) * r));
-  real s = K(2.0) * r * half.s, c = half.c - r_lo * s;
-  s = s + r_lo * half.c;
-  *sine = odd ? -s : s;
-  *cosine = odd ? -c : c;
+  real x = K(2.0) * hi, unused;
+  remainder_angle a = remainder_near(x, K(2.0) * lo);
+  if (!(ABS(x) <= NEAR) || (ABS(a.high + a.low) < CLOSE_BY && ABS(x) > 1)) {
+    remainder_angle far; /* apart, so that the ordinary case stays in registers */
+    remainder_far(x, K(2.0) * lo, &far);
+    a = far;
+  }
+  half_angle half = half_angle_of_remainder(a, &unused);
+  real s = K(0.5) * (a.high * half.s + a.low * half.s);
+  *sine = a.odd ? -s : s;
+  *cosine = a.odd ? -half.c : half.c;
+}
+
+static INLINE exact_sum exact_square(real a) {
+  real a1 = upper(a), a0 = a - a1, p = a * a;
+  exact_sum x = {p, ((a1 * a1 - p) + K(2.0) * (a1 * a0)) + a0 * a0};
+  return x;
+}
+
+/* |w| = theta + rest to twice the format's precision, and |w|^2. False for what is no angle or beyond the range. */
+SELDOM static int length_far(const real w[3], real *theta, real *rest, real *squared) {
+  exact_sum tt = {0, 0};
+  for (int i = 0; i < 3; i++) add(&tt, exact_square(w[i]));
+  tt = two_sum(tt.hi, tt.lo);
+  real root = SQRT(tt.hi);
+  if (!(root <= ANGLE_MAX)) return 0;
+  exact_sum square = exact_square(root);
+  *theta = root;
+  *squared = tt.hi;
+  *rest = (((tt.hi - square.hi) - square.lo) + tt.lo) / (K(2.0) * root);
+  return 1;
+}
+
+SELDOM static int why_no_angle(const real w[3]) {
+  int status = finiteness(w, 3);
+  return status == CHS_OK ? CHS_ERR_ANGLE_RANGE : status;
 }
 
 int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
-  int status = finiteness(w, 3);
-  if (status != CHS_OK) return status;
-  if (largest(w, 3) > ANGLE_MAX) return CHS_ERR_ANGLE_RANGE;
-
-  exact_sum tt = product(w[0], w[0]);
-  add(&tt, product(w[1], w[1]));
-  add(&tt, product(w[2], w[2]));
-  tt = two_sum(tt.hi, tt.lo);
-  real theta = SQRT(tt.hi);
-  exact_sum rest = tt;
-  add(&rest, product(-theta, theta));
-  real theta_lo = (rest.hi + rest.lo) / (K(2.0) * theta);
-  if (theta > ANGLE_MAX) return CHS_ERR_ANGLE_RANGE;
-
-  real sine;
-  FN(chs_p_sin_cos)(K(0.5) * theta, K(0.5) * theta_lo, &sine, &half->c);
-  real s = sine / theta, cc = half->c * half->c;
-  half->s = s - s * (theta_lo / theta);
-  half->ss = cc < K(0.5) ? (K(1.0) - cc) / tt.hi : half->s * half->s;
-  half->cubic = (K(1.0) - sine_ratio(*half)) / tt.hi;
-  half->tt = tt.hi;
+  real x = on_grid(w[0]), y = on_grid(w[1]), z = on_grid(w[2]), head = x * x + y * y + z * z;
+  real rest = (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z);
+  real tt = head + rest, theta = SQRT(tt);
+  remainder_angle a = {0, 0, 0};
+  /* theta = g + (theta^2 - g^2) / (theta + g) with a short g. */
+  if (theta <= NEAR) {
+    real g = on_grid(theta);
+    a = remainder_near(g, ((head - g * g) + rest) / (theta + g));
+  }
+  if (ABS(a.high + a.low) < CLOSE_BY) {
+    real hi, lo, squared;
+    remainder_angle far;
+    if (!length_far(w, &hi, &lo, &squared)) return why_no_angle(w);
+    remainder_far(hi, lo, &far);
+    theta = hi;
+    tt = squared;
+    a = far;
+  }
+  real rr;
+  half_angle h = half_angle_of_remainder(a, &rr);
+  real cc = h.c * h.c, ss = cc < K(0.5) ? K(1.0) - cc : h.ss * rr;
+  half->s = h.s * ((a.high + a.low) / theta);
+  half->c = h.c;
+  half->ss = ss / tt;
+  half->cubic = (K(1.0) - half->s * h.c) / tt;
+  half->tt = tt;
   return CHS_OK;
 }
 

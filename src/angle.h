@@ -8,7 +8,6 @@
 #include <chasles/so3.h>
 
 #define on_grid(...) FN(chs_p_on_grid)(__VA_ARGS__)
-#define split_square_of(...) FN(chs_p_split_square_of)(__VA_ARGS__)
 #define squared_length(...) FN(chs_p_squared_length)(__VA_ARGS__)
 #define half_angle_within_pi(...) FN(chs_p_half_angle_within_pi)(__VA_ARGS__)
 #define within_pi(...) FN(chs_p_within_pi)(__VA_ARGS__)
@@ -30,50 +29,47 @@
 #define ANGLE_MAX CHS_ANGLE_MAX
 #endif
 
-/* The square of a number or the squared length of a vector, of up to 4, as head + rest. The head is that of the parts
- * on a grid so coarse that not only their squares and the sum of them are exact, but also what is made of it below. */
+/* The square of an angle as head + rest, the head on a grid so coarse that what is made of it below is exact; and as
+ * one number, which may be off by a few roundings more. */
 typedef struct split_square {
-  real head, rest;
+  real t, head, rest;
 } split_square;
 
 SHARED real on_grid(real x) { return (x + GRID) - GRID; }
 
-SHARED split_square split_square_of(real x) {
-  real g = on_grid(x);
-  split_square square = {g * g, (x - g) * (x + g)};
-  return square;
-}
-
+/* head + rest from the largest square to the least, so that but for the squares themselves hardly anything is rounded;
+ * t does not wait for their order, and keeps a NaN. */
 SHARED split_square squared_length(const real w[3]) {
-  real x = on_grid(w[0]), y = on_grid(w[1]), z = on_grid(w[2]);
-  split_square square = {x * x + y * y + z * z,
-                         (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z)};
+  real x = w[0] * w[0], y = w[1] * w[1], z = w[2] * w[2];
+  real more = x > y ? x : y, less = x < y ? x : y, most = more > z ? more : z, third = more < z ? more : z;
+  real t = (x + y) + z, head = on_grid(t);
+  split_square square = {t, head, ((most - head) + less) + third};
   return square;
 }
 
 /* What the exponentials need of a rotation by theta. Where the angle was reduced modulo 2 pi, s and c may both carry
  * the other sign: only s c, s s, c c and c / s are meant to be used. */
 typedef struct half_angle {
-  real s;     /* sin(theta/2) / theta */
+  real s;     /* sin(theta/2) / (theta/2) */
   real c;     /* cos(theta/2) */
-  real ss;    /* s^2 */
+  real ss;    /* s^2 / 4 */
   real cubic; /* (theta - sin(theta)) / theta^3 */
   real tt;    /* theta^2 */
 } half_angle;
 
-/* From theta^2 up to a little above pi^2. The heads of s = 1/2 - p t, of its square and of c = 1 - q t are exact, so
- * that hardly more than the last rounding of each is lost. */
+/* From theta^2 up to a little above pi^2. With 13/128 near the slope of c where the rounding of t counts most, c = 1 -
+ * 13/128 t + t q, s = 1/4 + 3/8 (1 + c) + t p, and ss = (13/128 - q) (1 + c), which is (1 - c) (1 + c) / t. What is
+ * made of the head is exact and the rest is small, so that hardly more than the last rounding of each is lost. */
 SHARED half_angle half_angle_within_pi(split_square square) {
   half_angle half;
-  real head = square.head, rest = square.rest, t = head + rest, t2 = t * t, high = CHS_HIGH(t);
-  real s_low = CHS_SINC_LOW(t), s_high = CHS_SINC_HIGH(t), c_low = CHS_COSINE_LOW(t), c_high = CHS_COSINE_HIGH(t);
-  real s_head = K(0.5) - K(0.015625) * head, s_rest = (t * s_low - K(0.015625) * rest) + (t * high) * s_high;
-  real c_head = K(1.0) - K(0.125) * head, c_rest = (t2 * c_low - K(0.125) * rest) + (t2 * high) * c_high;
-  real p = K(0.015625) - (s_low + high * s_high), q = K(0.125) - t * (c_low + high * c_high);
-  half.s = s_head + s_rest;
-  half.c = c_head + c_rest;
-  half.ss = s_head * s_head + s_rest * ((s_head + s_head) + s_rest);
-  half.cubic = (K(2.0) * p + q) - K(2.0) * (t * p * q); /* (1 - 2 s c) / t */
+  real t = square.t, high = CHS_HIGH(t);
+  real q = CHS_COSINE_LOW(t) + high * CHS_COSINE_HIGH(t);
+  real head = K(1.0) - K(0.1015625) * square.head, rest = t * q - K(0.1015625) * square.rest, more = K(1.0) + head;
+  half.c = head + rest;
+  half.ss = K(0.1015625) * more + (K(0.1015625) * rest - q * (more + rest));
+  real p = CHS_SINC_LOW(t) + high * CHS_SINC_HIGH(t), g = K(0.1015625) - q;
+  half.s = (K(0.25) + K(0.375) * more) + (t * p + K(0.375) * rest);
+  half.cubic = g + (K(0.375) * g - p) * half.c; /* (1 - s c) / t, (1 - c) / t and (1 - s) / t */
   half.tt = t;
   return half;
 }
@@ -81,7 +77,7 @@ SHARED half_angle half_angle_within_pi(split_square square) {
 /* Angles above pi, and everything that is not an angle: CHS_OK, CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
 SELDOM int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half);
 
-SHARED int within_pi(split_square square) { return square.head + square.rest <= CHS_PI_A * CHS_PI_A; }
+SHARED int within_pi(split_square square) { return square.t <= CHS_PI_A * CHS_PI_A; }
 
 SHARED int half_angle_of(const real w[3], half_angle *half) {
   split_square square = squared_length(w);
@@ -96,10 +92,10 @@ SHARED int half_angle_of(const real w[3], half_angle *half) {
 }
 
 /* sin(theta)/theta, (1 - cos(theta))/theta^2, (theta - sin(theta))/theta^3 and (theta/2) cot(theta/2). */
-SHARED real sine_ratio(half_angle h) { return (h.c + h.c) * h.s; }
+SHARED real sine_ratio(half_angle h) { return h.c * h.s; }
 SHARED real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
 SHARED real cubic_ratio(half_angle h) { return h.cubic; }
-SHARED real half_cotangent(half_angle h) { return K(0.5) * h.c / h.s; }
+SHARED real half_cotangent(half_angle h) { return h.c / h.s; }
 
 /* CHS_OK where chs_p_sin_cos takes all of the angles, or CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
 int FN(chs_p_angles_status)(const real *angles, int n);

@@ -1,6 +1,6 @@
 /* Written by tools/coefficients/generate.py; do not edit.
  * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated
- * sums A + B + C. */
+ * sums A + B + C, pi also as SHORT + REST. */
 #ifndef CHASLES_COEFFICIENTS_H
 #define CHASLES_COEFFICIENTS_H
 
@@ -10,22 +10,22 @@
 #define CHS_POWER_8(x) (CHS_POWER_4(x) * CHS_POWER_4(x))
 #ifndef CHS_SINGLE
 #define CHS_HIGH(x) CHS_POWER_4(x)
-/* sin(x/2) / x at x = sqrt t = 1/2 - t/64 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
-   on [0, 9.8795], relative error 0.0013 eps */
+/* sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t = t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], absolute error 0.0061 eps */
 #define CHS_SINC_LOW(t) \
-  ((-0x1.5555555555554p-8 + (t) * 0x1.11111111110c8p-12) + \
-   CHS_POWER_2(t) * (-0x1.a01a01a014d6fp-20 + (t) * 0x1.71de3a52a0b13p-28))
+  ((0x1.5555555555545p-8 + (t) * -0x1.dddddddddda83p-12) + \
+   CHS_POWER_2(t) * (0x1.52152152060ffp-18 + (t) * -0x1.b737e53d42661p-26))
 #define CHS_SINC_HIGH(t) \
-  ((-0x1.ae6454d47422bp-37 + (t) * 0x1.6123cd0727932p-46) + \
-   CHS_POWER_2(t) * (-0x1.ae438468a36c3p-56 + (t) * 0x1.8832a74d6861bp-66))
-/* cos(x/2) at x = sqrt t = 1 - t/8 + t^2 P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
+  ((0x1.503e611e47245p-34 + (t) * -0x1.561a61ca5c605p-43) + \
+   CHS_POWER_2(t) * (0x1.f169771540d49p-53 + (t) * -0x1.0664b5057a59ap-62))
+/* cos(x/2) at x = sqrt t = 1 - 13 t/128 + t P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
    on [0, 9.8795], absolute error 0.026 eps */
 #define CHS_COSINE_LOW(t) \
-  ((0x1.55555555554dcp-9 + (t) * -0x1.6c16c16c10134p-16) + \
-   CHS_POWER_2(t) * (0x1.a01a019b9f4dp-24 + (t) * -0x1.27e4f9f11414ap-32))
+  ((-0x1.8p-6 + (t) * 0x1.55555555554dcp-9) + \
+   CHS_POWER_2(t) * (-0x1.6c16c16c10134p-16 + (t) * 0x1.a01a019b9f4dp-24))
 #define CHS_COSINE_HIGH(t) \
-  ((0x1.1eecfa4e75998p-41 + (t) * -0x1.9357123473809p-51) + \
-   CHS_POWER_2(t) * 0x1.9fc3a43747942p-61)
+  ((-0x1.27e4f9f11414ap-32 + (t) * 0x1.1eecfa4e75998p-41) + \
+   CHS_POWER_2(t) * (-0x1.9357123473809p-51 + (t) * 0x1.9fc3a43747942p-61))
 /* sin(x) / x at x = sqrt t = 1 + t P, P = CHS_QUARTER_SINE
    on [0, 0.61747], relative error 0.017 eps */
 #define CHS_QUARTER_SINE(t) \
@@ -82,21 +82,24 @@
 #define CHS_RIGHT_ANGLE_A 0x1.921fb5444p+0
 #define CHS_RIGHT_ANGLE_B 0x1.68c234c4c6629p-39
 #define CHS_RIGHT_ANGLE_LIMIT 0x1p+16
+#define CHS_PI_SHORT 0x1.921f8p+1
+#define CHS_PI_REST 0x1.aa22168c234c5p-18
 #else
 #define CHS_HIGH(x) CHS_POWER_2(x)
-/* sin(x/2) / x at x = sqrt t = 1/2 - t/64 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
-   on [0, 9.8795], relative error 0.0012 eps */
+/* sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t = t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], absolute error 0.00064 eps */
 #define CHS_SINC_LOW(t) \
-  (-0x1.555556p-8F + (t) * 0x1.111118p-12F)
+  (0x1.555554p-8F + (t) * -0x1.ddddbep-12F)
 #define CHS_SINC_HIGH(t) \
-  ((-0x1.a01af6p-20F + (t) * 0x1.71c56ap-28F) + \
-   CHS_POWER_2(t) * -0x1.a0b8d8p-37F)
-/* cos(x/2) at x = sqrt t = 1 - t/8 + t^2 P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
+  ((0x1.521156p-18F + (t) * -0x1.b66f26p-26F) + \
+   CHS_POWER_2(t) * 0x1.3d65e4p-34F)
+/* cos(x/2) at x = sqrt t = 1 - 13 t/128 + t P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
    on [0, 9.8795], absolute error 0.0036 eps */
 #define CHS_COSINE_LOW(t) \
-  (0x1.55555p-9F + (t) * -0x1.6c14b8p-16F)
+  (-0x1.8p-6F + (t) * 0x1.55555p-9F)
 #define CHS_COSINE_HIGH(t) \
-  (0x1.9f931cp-24F + (t) * -0x1.196acep-32F)
+  ((-0x1.6c14b8p-16F + (t) * 0x1.9f931cp-24F) + \
+   CHS_POWER_2(t) * -0x1.196acep-32F)
 /* sin(x) / x at x = sqrt t = 1 + t P, P = CHS_QUARTER_SINE
    on [0, 0.61747], relative error 0.033 eps */
 #define CHS_QUARTER_SINE(t) \
@@ -141,6 +144,8 @@
 #define CHS_RIGHT_ANGLE_A 0x1.922p+0F
 #define CHS_RIGHT_ANGLE_B -0x1.2aeef4p-18F
 #define CHS_RIGHT_ANGLE_LIMIT 0x1p+8F
+#define CHS_PI_SHORT 0x1.92p+1F
+#define CHS_PI_REST 0x1.fb5444p-11F
 #endif
 /* clang-format on */
 

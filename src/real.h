@@ -87,8 +87,12 @@ typedef float real;
 #define OVERFLOWS 0x1p+50F
 #define ENLARGE 0x1p+90F
 #define REDUCE 0x1p-80F
-/* Adding and subtracting it rounds a number of at most 4 to a multiple of 2^-3; see split_square in angle.h. */
+/* Adding and subtracting it rounds a number to a multiple of 2^-3; see split_square in angle.h. */
 #define GRID 0x1.8p+20F
+/* Numbers up to it, rounded so, have exact squares, and a sum of three of them is exact. */
+#define NEAR 0x1.8p+8F
+/* Nearer to a multiple of 2 pi what is left of such a one has too few digits for those who count relative errors. */
+#define CLOSE_BY 0.25F
 /* Adding and subtracting it rounds a number to an integer. */
 #define TO_INTEGER 0x1.8p+23F
 /* Times it, a number splits into two halves whose products are exact (Veltkamp). */
@@ -106,6 +110,8 @@ typedef double real;
 #define ENLARGE 0x1p+600
 #define REDUCE 0x1p-600
 #define GRID 0x1.8p+42 /* multiples of 2^-10 */
+#define NEAR 0x1.8p+15
+#define CLOSE_BY 0x1p-6
 #define TO_INTEGER 0x1.8p+52
 #define SPLITTER 0x1.0000002p+27
 #endif

@@ -102,9 +102,8 @@ SHARED quaternion quaternion_of(const real R[9]) {
  * is cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may
  * be w: all of w is read before R is written. */
 SHARED void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
-  real kx = ss * w[0], ky = ss * w[1], kz = ss * w[2];
-  real xx = kx * w[0], yy = ky * w[1], zz = kz * w[2];
-  real bx = kx + kx, by = ky + ky;
+  real xx = ss * (w[0] * w[0]), yy = ss * (w[1] * w[1]), zz = ss * (w[2] * w[2]);
+  real b = ss + ss, bx = b * w[0], by = b * w[1];
   real xy = bx * w[1], xz = bx * w[2], yz = by * w[2];
   real ax = a * w[0], ay = a * w[1], az = a * w[2];
   real common = cc - zz, difference = xx - yy;

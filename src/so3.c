@@ -66,7 +66,7 @@ static int jacobian_inverse(const real w[3], real side, real J[9]) {
   int status = half_angle_of(w, &half);
   if (status != CHS_OK) return status;
   /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
-  if (ABS(half.s) <= K(4.0) * EPS) return CHS_ERR_SINGULAR;
+  if (ABS(half.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
   real k = half_cotangent(half);
   /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - (theta - sin(theta))/theta^3) / (2 s c). */
   real d = half.tt < 1 ? (half.ss - cubic_ratio(half)) / sine_ratio(half) : (K(1.0) - k) / half.tt;

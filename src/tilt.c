@@ -13,37 +13,38 @@ int FN(chs_tilt_error)(const real nominal[9], const real actual[9], real *alpha,
   return undefined ? CHS_TORSION_UNDEFINED : CHS_OK;
 }
 
+/* Once for all angles, which are known to be within the range. */
+static APART void sine_and_cosine(real angle, real *sine, real *cosine) { (void)sin_cos_of(angle, sine, cosine); }
+
 int FN(chs_tilt_to_rotation)(real azimuth, real tilt, real torsion, real R[9]) {
   const real angles[3] = {azimuth, tilt, torsion};
   int status = FN(chs_p_angles_status)(angles, 3);
   if (status != CHS_OK) return status;
 
-  /* azimuth + spin = torsion, the spin to more than its own format. */
-  exact_sum spin = two_sum(torsion, -azimuth);
-  real sa, ca, sh, ch, st, ct, ss, cs;
-  FN(chs_p_sin_cos)(azimuth, 0, &sa, &ca);
-  FN(chs_p_sin_cos)(torsion, 0, &st, &ct);
-  FN(chs_p_sin_cos)(spin.hi, spin.lo, &ss, &cs);
-  FN(chs_p_sin_cos)(K(0.5) * tilt, 0, &sh, &ch);
-  real sine = K(2.0) * sh * ch, versine = versine_of(sh, ch), cosine = cosine_of(sh, ch);
-
-  /* cos(tilt) = 1 - versine splits the first four entries into those of the torsion and a small rest; beyond a tilt of
-   * pi/3 the rest is no longer small, and the plain product is the more exact. */
+  /* With p = cos(tilt/2)^2 and q = sin(tilt/2)^2 the first four entries are those of turns about z by the torsion, times
+   * p, and by 2 azimuth - torsion, times q; up to a tilt of pi/3 the latter need not be known so well. */
+  real sa, ca, sh, ch, st, ct, sb, cb;
+  sine_and_cosine(azimuth, &sa, &ca);
+  sine_and_cosine(torsion, &st, &ct);
+  sine_and_cosine(K(0.5) * tilt, &sh, &ch);
+  real spin_sine = st * ca - ct * sa, spin_cosine = ct * ca + st * sa; /* of torsion - azimuth */
+  real sine = K(2.0) * sh * ch, cosine = cosine_of(sh, ch), q = K(0.5) * versine_of(sh, ch);
+  real p = cosine < 0 ? ch * ch : K(1.0) - q;
   if (cosine >= K(0.5)) {
-    R[0] = ct - versine * (ca * cs);
-    R[1] = versine * (ca * ss) - st;
-    R[3] = st - versine * (sa * cs);
-    R[4] = ct + versine * (sa * ss);
+    sb = sa * spin_cosine - ca * spin_sine;
+    cb = ca * spin_cosine + sa * spin_sine;
   } else {
-    R[0] = cosine * (ca * cs) - sa * ss;
-    R[1] = -(cosine * (ca * ss)) - sa * cs;
-    R[3] = cosine * (sa * cs) + ca * ss;
-    R[4] = ca * cs - cosine * (sa * ss);
+    exact_sum b = two_sum(K(2.0) * azimuth, -torsion);
+    FN(chs_p_sin_cos)(b.hi, b.lo, &sb, &cb);
   }
+  R[0] = p * ct - q * cb;
+  R[1] = K(0.0) - (p * st + q * sb);
+  R[3] = p * st - q * sb;
+  R[4] = p * ct + q * cb;
   R[2] = ca * sine;
   R[5] = sa * sine;
-  R[6] = K(0.0) - sine * cs;
-  R[7] = sine * ss;
+  R[6] = K(0.0) - sine * spin_cosine;
+  R[7] = sine * spin_sine;
   R[8] = cosine;
   return CHS_OK;
 }

@@ -43,7 +43,7 @@ void chs_so3_veef(const float W[9], float w[3]);
  *
  * The error counts entries absolutely, and those off the diagonal relative to theta below 1 rad, so that a rotation by
  * 1e-300 keeps all its digits. Above pi (BEYOND) it is that of the exact exponential of the given w: the angle is
- * computed and reduced in twice the format's precision.
+ * computed and reduced with far more digits than the format has.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE. */
 #define CHS_EPS_SO3_EXP 2.0
 #define CHS_EPS_SO3_EXP_BEYOND 4.0

@@ -25,8 +25,8 @@ GRID = 400
 
 
 def half_sinc(t):
-    """sin(x/2) / x at x = sqrt t"""
-    return sin(sqrt(t) / 2) / sqrt(t) if t else mpf(1) / 2
+    """sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t"""
+    return sin(sqrt(t) / 2) / (sqrt(t) / 2) - (5 + 3 * cos(sqrt(t) / 2)) / 8 if t else mpf(0)
 
 
 def half_cosine(t):
@@ -79,8 +79,8 @@ HALVES, WHOLE = (4, 2), (0, 0)
 KERNELS = [
     # macro, function and its form (P is the macro), top, weight, head, first order of P, degrees, and how many of P's
     # coefficients make its lower half, the last two in double and float
-    ("SINC", half_sinc, "1/2 - t/64 + t P", WITHIN_PI, "relative", [mpf(1) / 2, mpf(-1) / 64], 1, (8, 5), HALVES),
-    ("COSINE", half_cosine, "1 - t/8 + t^2 P", WITHIN_PI, "absolute", [mpf(1), mpf(-1) / 8], 2, (8, 5), HALVES),
+    ("SINC", half_sinc, "t P", WITHIN_PI, "absolute", [mpf(0)], 1, (8, 5), HALVES),
+    ("COSINE", half_cosine, "1 - 13 t/128 + t P", WITHIN_PI, "absolute", [mpf(1), mpf(-13) / 128], 1, (8, 5), HALVES),
     ("QUARTER_SINE", sinc, "1 + t P", WITHIN_QUARTER_PI, "relative", [mpf(1)], 1, (6, 3), WHOLE),
     ("QUARTER_COSINE", cosine, "1 - t/2 + t^2 P", WITHIN_QUARTER_PI, "absolute", [mpf(1), mpf(-1) / 2], 2, (7, 4), WHOLE),
     ("COSINE_SLOPE", cosine_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
@@ -89,6 +89,11 @@ KERNELS = [
     ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 1, (13, 6), WHOLE),
 ]
 LIMITS = (16, 8)  # as powers of two
+# So that (1 - cos x)/x^2 is 1/2 at 0.
+EXACT = {(half_cosine, 1): mpf(-1) / 8}
+# Bits of CHS_PI_SHORT behind the binary point: products with the number of turns are exact, and so are squares of what
+# remains.
+SHORT_PI = (16, 8)
 FORMATS = [("double", 53, ""), ("float", 24, "F")]
 
 
@@ -173,11 +178,13 @@ def alternating_extrema(grid, errors):
 
 
 def fit(function, top, weight, head, first, degree, bits):
-    """The rounded coefficients from the first order on, to which the head is added, and the error of it all."""
+    """The rounded coefficients from the first order on, to which the head is added, and the error of it all. Those of
+    the function's power series that are given in EXACT stay as they are."""
     whole, rest = head[:first], []
     while len(whole) <= degree:
         exact = head[len(whole)] if len(whole) < len(head) else mpf(0)
-        rest.append(round_to(remez(function, weight, top, whole, degree)[len(whole)] - exact, bits))
+        fitted = EXACT.get((function, len(whole))) or remez(function, weight, top, whole, degree)[len(whole)]
+        rest.append(round_to(fitted - exact, bits))
         whole.append(exact + rest[-1])
     points = [top * k / 2000 for k in range(1, 2001)]
     worst = max(abs((evaluate(whole, x) - function(x)) * weight(function(x))) for x in points)
@@ -234,6 +241,10 @@ def section(precision, bits, suffix):
     for letter, piece in [("A", high), ("B", round_to(pi / 2 - high, bits))]:
         lines.append(f"#define CHS_RIGHT_ANGLE_{letter} {hexfloat(piece, bits)}{suffix}")
     lines.append(f"#define CHS_RIGHT_ANGLE_LIMIT {hexfloat(mpf(2) ** limit, bits)}{suffix}")
+    fraction = mpf(2) ** SHORT_PI[choice]
+    short = round(pi * fraction) / fraction
+    for letter, piece in [("SHORT", short), ("REST", round_to(pi - short, bits))]:
+        lines.append(f"#define CHS_PI_{letter} {hexfloat(mpf(piece), bits)}{suffix}")
     return lines
 
 
@@ -241,7 +252,7 @@ def header():
     lines = [
         "/* Written by tools/coefficients/generate.py; do not edit.",
         " * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated",
-        " * sums A + B + C. */",
+        " * sums A + B + C, pi also as SHORT + REST. */",
         "#ifndef CHASLES_COEFFICIENTS_H",
         "#define CHASLES_COEFFICIENTS_H",
         "",
