@@ -19,6 +19,7 @@
 #define versine_of(...) FN(chs_p_versine_of)(__VA_ARGS__)
 #define cosine_of(...) FN(chs_p_cosine_of)(__VA_ARGS__)
 #define sin_cos_of(...) FN(chs_p_sin_cos_of)(__VA_ARGS__)
+#define arc_ratio_rest(...) FN(chs_p_arc_ratio_rest)(__VA_ARGS__)
 #define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
 #define angle_from(...) FN(chs_p_angle_from)(__VA_ARGS__)
 #define signed_angle_of(...) FN(chs_p_signed_angle_of)(__VA_ARGS__)
@@ -133,6 +134,12 @@ SHARED int sin_cos_of(real q, real *sine, real *cosine) {
   *sine = turn[1] * s + turn[0] * c;
   *cosine = turn[1] * c - turn[0] * s;
   return 1;
+}
+
+/* atan(t)/t - 1 where t^2 = yy/xx is at most 1.1. */
+SHARED real arc_ratio_rest(real yy, real xx) {
+  real z = yy / (yy + CHS_ARC_SPREAD * xx) + NEGLIGIBLE;
+  return z * CHS_ARC_RATIO(z);
 }
 
 /* The angle of the point (x, y), x and y >= 0 and not both 0, as base + rest: base is the nearest of 0, pi/4 and pi/2.

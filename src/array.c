@@ -140,11 +140,50 @@ static void se3_exp(block *b) {
 
 static INLINE int is_rotation(const real R[9]) { return sum_of_offsets(R) <= (real)CHS_SO3_FAR; }
 
+/* What logarithm in rotation.h answers to a rotation, bit for bit, by selects, each by a comparison of its own because
+ * gcc makes no vectors of a condition that several share. The largest axis is z, or else y, or else x. The result is
+ * positive where the answer is CHS_OK, if R is a rotation. */
+static INLINE real logarithm_by_selects(const real R[9], real w[3], real *k) {
+  quaternion q = quaternion_near(R);
+  real yx = R[4] > R[0] ? R[4] : R[0], first = R[8] > yx ? R[8] : yx;
+  real beside_yx = R[4] > R[0] ? R[8] + R[0] : R[4] + R[8], others = R[8] > yx ? R[0] + R[4] : beside_yx;
+  real x0 = (R[0] - R[4]) + (K(1.0) - R[8]), y1 = (R[4] - R[8]) + (K(1.0) - R[0]), z2 = (R[8] - R[0]) + (K(1.0) - R[4]);
+  real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+  real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz;
+  real skew = R[4] > R[0] ? q.v[1] : q.v[0];
+  v0 = R[8] > yx ? xz : v0;
+  v1 = R[8] > yx ? yz : v1;
+  v2 = R[8] > yx ? z2 : v2;
+  skew = R[8] > yx ? q.v[2] : skew;
+  real xx = v0 * v0, yy = v1 * v1, zz = v2 * v2;
+  real nn = R[4] > R[0] ? yy + (zz + xx) : xx + (yy + zz);
+  nn = R[8] > yx ? zz + (xx + yy) : nn;
+  /* That of an axis or of w. */
+  real vv = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), w_of_w = (K(1.0) + first) + others;
+  v0 = others < 0 ? v0 : q.v[0];
+  v1 = others < 0 ? v1 : q.v[1];
+  v2 = others < 0 ? v2 : q.v[2];
+  nn = others < 0 ? nn : vv;
+  skew = others < 0 ? skew : w_of_w;
+  real n = SQRT(nn), far_w = ABS(skew), sign = skew < 0 ? K(-1.0) : K(1.0);
+  /* Near or beyond a quarter turn. */
+  real d = q.short_of_4, far_ww = far_w * far_w, near_ww = q.w * q.w, near_vv = dot(q.v, q.v);
+  real rest = arc_ratio_rest(d <= K(2.0) ? near_vv : far_ww, d <= K(2.0) ? near_ww : nn);
+  real near_k, near_m = multiple_near(&q, rest, &near_k), far_k, far_m = sign * multiple_far(n, far_w, rest, &far_k);
+  real whole = d <= K(2.0) ? K(0.5) : sign, m = d <= K(2.0) ? near_m : far_m;
+  v0 = d <= K(2.0) ? q.v[0] : v0;
+  v1 = d <= K(2.0) ? q.v[1] : v1;
+  v2 = d <= K(2.0) ? q.v[2] : v2;
+  w[0] = whole * v0 + m * v0;
+  w[1] = whole * v1 + m * v1;
+  w[2] = whole * v2 + m * v2;
+  *k = d <= K(2.0) ? near_k : far_k;
+  return d <= K(2.0) ? q.w : far_w - EPS * n;
+}
+
 /* The logarithm of what may be a rotation; positive where it is one, and not beside a half-turn. */
 static INLINE real log_of(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_of(R);
-  real length = SQRT(dot(q.v, q.v)), margin = q.w - EPS * length;
-  rotation_vector_of(&q, length, w, k);
+  real margin = logarithm_by_selects(R, w, k);
   return is_rotation(R) ? margin : K(0.0);
 }
 

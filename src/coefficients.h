@@ -62,6 +62,17 @@
    CHS_POWER_4(t) * ((0x1.f87d1dd3159e7p-34 + (t) * -0x1.42df86395c1aap-41) + \
    CHS_POWER_2(t) * (0x1.3b267f0da9fc2p-49 + (t) * -0x1.e604f83a0ba81p-58))) + \
    CHS_POWER_8(t) * (0x1.38797b5625f1cp-66 + (t) * -0x1.9bf378403eaacp-75))
+/* atan(sqrt u) / sqrt u at u = 39/16 z / (1 - z) = 1 + z P, P = CHS_ARC_RATIO
+   on [0, 0.31095], relative error 0.0075 eps */
+#define CHS_ARC_RATIO(z) \
+  ((((-0x1.9fffffffffffp-1 + (z) * 0x1.80ccccccca296p-2) + \
+   CHS_POWER_2(z) * (-0x1.0277c57bbb03ap-1 + (z) * 0x1.df2ef8658928dp-2)) + \
+   CHS_POWER_4(z) * ((-0x1.3634cbfbb0d9ep-1 + (z) * 0x1.5ea4863babebfp-1) + \
+   CHS_POWER_2(z) * (-0x1.c5944a6a44136p-1 + (z) * 0x1.169d4803350b6p+0))) + \
+   CHS_POWER_8(z) * (((-0x1.6a7a425a8df0dp+0 + (z) * 0x1.c8b2ebfff8bd2p+0) + \
+   CHS_POWER_2(z) * (-0x1.1babf0fe60ccp+1 + (z) * 0x1.3ada825f8be1fp+1)) + \
+   CHS_POWER_4(z) * ((-0x1.213052131ac52p+1 + (z) * 0x1.6fbcfde027147p+0) + \
+   CHS_POWER_2(z) * -0x1.eb9c8ea078c1p-2)))
 /* atan(sqrt u) / sqrt u = 1 + u P, P = CHS_ATAN_REST
    on [0, 0.25025], relative error 0.0011 eps */
 #define CHS_ATAN_REST(u) \
@@ -72,6 +83,7 @@
    CHS_POWER_8(u) * (((-0x1.ac4e55cf29514p-5 + (u) * 0x1.77710d4423171p-5) + \
    CHS_POWER_2(u) * (-0x1.2ec642fb960d2p-5 + (u) * 0x1.7fd13f4190e4p-6)) + \
    CHS_POWER_4(u) * -0x1.0d5e2cf1020bdp-7))
+#define CHS_ARC_SPREAD 0x1.38p+1
 #define CHS_PI_A 0x1.921fb54442d18p+1
 #define CHS_PI_B 0x1.1a62633145c07p-53
 #define CHS_PI_C -0x1.f1976b7ed8fbcp-109
@@ -128,12 +140,20 @@
   (((0x1.6c16c2p-9F + (t) * -0x1.a01a58p-14F) + \
    CHS_POWER_2(t) * (0x1.bbe7f4p-20F + (t) * -0x1.2008d6p-26F)) + \
    CHS_POWER_4(t) * (0x1.0b939ap-33F + (t) * -0x1.caf58cp-41F))
+/* atan(sqrt u) / sqrt u at u = 39/16 z / (1 - z) = 1 + z P, P = CHS_ARC_RATIO
+   on [0, 0.31095], relative error 0.0058 eps */
+#define CHS_ARC_RATIO(z) \
+  (((-0x1.9ffffap-1F + (z) * 0x1.80c8d8p-2F) + \
+   CHS_POWER_2(z) * (-0x1.023e82p-1F + (z) * 0x1.d8e7b2p-2F)) + \
+   CHS_POWER_4(z) * ((-0x1.1dbc56p-1F + (z) * 0x1.dc0486p-2F) + \
+   CHS_POWER_2(z) * -0x1.1521c4p-2F))
 /* atan(sqrt u) / sqrt u = 1 + u P, P = CHS_ATAN_REST
    on [0, 0.25025], relative error 0.0024 eps */
 #define CHS_ATAN_REST(u) \
   (((-0x1.555552p-2F + (u) * 0x1.999742p-3F) + \
    CHS_POWER_2(u) * (-0x1.244ff6p-3F + (u) * 0x1.c06dccp-4F)) + \
    CHS_POWER_4(u) * (-0x1.47f982p-4F + (u) * 0x1.3f98aap-5F))
+#define CHS_ARC_SPREAD 0x1.38p+1F
 #define CHS_PI_A 0x1.921fb6p+1F
 #define CHS_PI_B -0x1.777a5cp-24F
 #define CHS_PI_C -0x1.ee59dap-49F

@@ -87,6 +87,9 @@ typedef float real;
 #define OVERFLOWS 0x1p+50F
 #define ENLARGE 0x1p+90F
 #define REDUCE 0x1p-80F
+/* Lost beside 1. Added to a number that may be small, it keeps the powers of that out of the subnormal numbers, where
+ * some processors are slow. */
+#define NEGLIGIBLE 0x1p-31F
 /* Adding and subtracting it rounds a number to a multiple of 2^-3; see split_square in angle.h. */
 #define GRID 0x1.8p+20F
 /* Numbers up to it, rounded so, have exact squares, and a sum of three of them is exact. */
@@ -109,6 +112,7 @@ typedef double real;
 #define OVERFLOWS 0x1p+500
 #define ENLARGE 0x1p+600
 #define REDUCE 0x1p-600
+#define NEGLIGIBLE 0x1p-62
 #define GRID 0x1.8p+42 /* multiples of 2^-10 */
 #define NEAR 0x1.8p+15
 #define CLOSE_BY 0x1p-6

@@ -13,13 +13,17 @@
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
 #define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
+#define quaternion_near(...) FN(chs_p_quaternion_near)(__VA_ARGS__)
+#define column_beyond(...) FN(chs_p_column_beyond)(__VA_ARGS__)
 #define quaternion_of(...) FN(chs_p_quaternion_of)(__VA_ARGS__)
 #define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
 #define rotation_from_half_angle(...) FN(chs_p_rotation_from_half_angle)(__VA_ARGS__)
 #define jacobian_times(...) FN(chs_p_jacobian_times)(__VA_ARGS__)
 #define cotangent_ratio(...) FN(chs_p_cotangent_ratio)(__VA_ARGS__)
 #define rotation_from_quaternion(...) FN(chs_p_rotation_from_quaternion)(__VA_ARGS__)
-#define rotation_vector_of(...) FN(chs_p_rotation_vector_of)(__VA_ARGS__)
+#define multiple_near(...) FN(chs_p_multiple_near)(__VA_ARGS__)
+#define multiple_far(...) FN(chs_p_multiple_far)(__VA_ARGS__)
+#define logarithm_near(...) FN(chs_p_logarithm_near)(__VA_ARGS__)
 #define logarithm_of(...) FN(chs_p_logarithm_of)(__VA_ARGS__)
 #define logarithm(...) FN(chs_p_logarithm)(__VA_ARGS__)
 #define inverse_jacobian_times(...) FN(chs_p_inverse_jacobian_times)(__VA_ARGS__)
@@ -27,7 +31,8 @@
 /* (v; w) proportional to (sin(theta/2) e; cos(theta/2)), of any length, w >= 0: theta in [0, pi] needs no division. */
 typedef struct quaternion {
   real v[3], w;
-  real short_of_4; /* 4 - w before rounding, where w came from the trace; used only while w is the larger part */
+  int near;        /* theta is at most a quarter turn, or little more, and the length about 4 cos(theta/2) */
+  real short_of_4; /* 4 - w before rounding, where near */
 } quaternion;
 
 /* What is 0 in a rotation: r1.r1 - 1, r2.r2 - 1, r1.r2 and r3 - r1 x r2, r the rows. */
@@ -81,20 +86,55 @@ SHARED void settle_half_turn(quaternion *q, real zone, real length) {
   }
 }
 
-/* The quaternion of a matrix near a rotation: the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
- * 1978). It agrees with that of the nearest rotation to a fraction of the matrix's own rounding errors. */
+/* A matrix near a rotation is read through the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
+ * 1978), which agrees with the nearest rotation to a fraction of the matrix's own rounding errors. Up to a quarter turn
+ * that is the column of w, and this is it. */
+SHARED quaternion quaternion_near(const real R[9]) {
+  real d = (K(1.0) - R[0]) + (K(1.0) - R[4]) + (K(1.0) - R[8]);
+  quaternion q = {{R[7] - R[5], R[2] - R[6], R[3] - R[1]}, K(4.0) - d, d <= K(2.0), d};
+  return q;
+}
+
+/* A column as it comes: the components of its vector in the places i, j and k and still to be multiplied by sign, which
+ * has been taken from w. */
+typedef struct largest_column {
+  real vi, vj, vk, w, sign;
+  unsigned i, j, k;
+} largest_column;
+
+/* The largest column beyond a quarter turn. Tables instead of cases, which would be mispredicted as often as not. */
+SHARED largest_column column_beyond(const real R[9], const quaternion *near) {
+  static const unsigned char axes[8][3] = {{0, 1, 2}, {1, 2, 0}, {0, 1, 2}, {1, 2, 0},
+                                           {0, 1, 2}, {2, 0, 1}, {2, 0, 1}, {2, 0, 1}};
+  static const real signs[2] = {K(1.0), K(-1.0)};
+  int order = (R[4] > R[0]) + 2 * (R[8] > R[0]) + 4 * (R[8] > R[4]);
+  unsigned i = axes[order][0], j = axes[order][1], k = axes[order][2];
+  real others = R[4 * j] + R[4 * k];
+  if (others >= 0) {
+    largest_column of_w = {near->v[0], near->v[1], near->v[2], (K(1.0) + R[4 * i]) + others, K(1.0), 0, 1, 2};
+    return of_w;
+  }
+  real w = R[3 * k + j] - R[3 * j + k];
+  largest_column c;
+  c.vi = (R[4 * i] - R[4 * j]) + (K(1.0) - R[4 * k]);
+  c.vj = R[3 * i + j] + R[3 * j + i];
+  c.vk = R[3 * i + k] + R[3 * k + i];
+  c.w = ABS(w);
+  c.sign = signs[w < 0];
+  c.i = i;
+  c.j = j;
+  c.k = k;
+  return c;
+}
+
 SHARED quaternion quaternion_of(const real R[9]) {
-  real dx = K(1.0) - R[0], dy = K(1.0) - R[4], dz = K(1.0) - R[8], d = dx + dy + dz;
-  real ww = K(4.0) - d, xx = (dy + dz) - dx, yy = (dx + dz) - dy, zz = (dx + dy) - dz;
-  real wx = R[7] - R[5], wy = R[2] - R[6], wz = R[3] - R[1];
-  real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-  int x_over_w = xx > ww, z_over_y = zz > yy;
-  real a0 = x_over_w ? xx : wx, a1 = x_over_w ? xy : wy, a2 = x_over_w ? xz : wz, a3 = x_over_w ? wx : ww;
-  real b0 = z_over_y ? xz : xy, b1 = z_over_y ? yz : yy, b2 = z_over_y ? zz : yz, b3 = z_over_y ? wz : wy;
-  int b_over_a = (z_over_y ? zz : yy) > (x_over_w ? xx : ww);
-  real v0 = b_over_a ? b0 : a0, v1 = b_over_a ? b1 : a1, v2 = b_over_a ? b2 : a2, w = b_over_a ? b3 : a3;
-  real sign = w < 0 ? K(-1.0) : K(1.0);
-  quaternion q = {{sign * v0, sign * v1, sign * v2}, sign * w, d};
+  quaternion q = quaternion_near(R);
+  if (q.near) return q;
+  largest_column c = column_beyond(R, &q);
+  q.v[c.i] = c.sign * c.vi;
+  q.v[c.j] = c.sign * c.vj;
+  q.v[c.k] = c.sign * c.vk;
+  q.w = c.w;
   return q;
 }
 
@@ -151,29 +191,58 @@ SHARED void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
   R[7] = yz + wx;
 }
 
-/* w = v theta / n, n = |v|, as a power of two times v plus a small multiple of v: what remains to be rounded is small.
- * Also k = (theta/2) cot(theta/2). */
-SHARED void rotation_vector_of(const quaternion *q, real n, real w[3], real *k) {
-  arc a = arc_of(n, q->w);
-  real whole = n < q->w ? K(0.25) : K(0.5);
-  real over = a.low ? q->w : n, small = a.low ? K(0.25) * q->short_of_4 + a.p : (a.base - whole * n) + a.rest;
-  real rest = small / over;
-  w[0] = K(2.0) * (whole * q->v[0] + rest * q->v[0]);
-  w[1] = K(2.0) * (whole * q->v[1] + rest * q->v[1]);
-  w[2] = K(2.0) * (whole * q->v[2] + rest * q->v[2]);
-  *k = (whole + rest) * q->w;
+/* Rotation vectors are a power of two times v plus a small multiple of v, so that little remains to be rounded. Near,
+ * w = v/2 + m v; the result is m, and k = (theta/2) cot(theta/2). rest is arc_ratio_rest of the half-angle's tangent. */
+SHARED real multiple_near(const quaternion *q, real rest, real *k) {
+  *k = K(1.0) + rest;
+  return (K(0.5) * q->short_of_4 + K(2.0) * rest) * (K(1.0) / q->w);
+}
+
+/* Beyond a quarter turn w = v + m v. n = |v|, w >= 0, and rest is that of the cotangent. */
+SHARED real multiple_far(real n, real w, real rest, real *k) {
+  real t = K(2.0) * w / n, more = t * rest;
+  *k = K(0.25) * t * ((CHS_PI_A - t) - more);
+  return (((CHS_PI_A - n) - t) + (CHS_PI_B - more)) * (K(1.0) / n);
+}
+
+SHARED void logarithm_near(const quaternion *q, real w[3], real *k) {
+  real m = multiple_near(q, arc_ratio_rest(dot(q->v, q->v), q->w * q->w), k);
+  w[0] = K(0.5) * q->v[0] + m * q->v[0];
+  w[1] = K(0.5) * q->v[1] + m * q->v[1];
+  w[2] = K(0.5) * q->v[2] + m * q->v[2];
 }
 
 /* The rotation vector of a quaternion, k as above, and CHS_OK or CHS_HALF_TURN. */
 SHARED int logarithm_of(quaternion q, real w[3], real *k) {
-  real n = SQRT(dot(q.v, q.v));
+  if (q.near) {
+    logarithm_near(&q, w, k);
+    return CHS_OK;
+  }
+  real nn = dot(q.v, q.v), n = SQRT(nn), m = multiple_far(n, q.w, arc_ratio_rest(q.w * q.w, nn), k);
   settle_half_turn(&q, 0, n);
-  rotation_vector_of(&q, n, w, k);
+  w[0] = q.v[0] + m * q.v[0];
+  w[1] = q.v[1] + m * q.v[1];
+  w[2] = q.v[2] + m * q.v[2];
   return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
 }
 
+SELDOM int FN(chs_p_half_turn)(real w, real vector[3]);
+
 /* That of a matrix that has been checked. */
-SHARED int logarithm(const real R[9], real w[3], real *k) { return logarithm_of(quaternion_of(R), w, k); }
+SHARED int logarithm(const real R[9], real w[3], real *k) {
+  quaternion q = quaternion_near(R);
+  if (q.near) {
+    logarithm_near(&q, w, k);
+    return CHS_OK;
+  }
+  largest_column c = column_beyond(R, &q);
+  real nn = c.vi * c.vi + (c.vj * c.vj + c.vk * c.vk), n = SQRT(nn);
+  real m = c.sign * multiple_far(n, c.w, arc_ratio_rest(c.w * c.w, nn), k);
+  w[c.i] = c.sign * c.vi + m * c.vi;
+  w[c.j] = c.sign * c.vj + m * c.vj;
+  w[c.k] = c.sign * c.vk + m * c.vk;
+  return c.w <= EPS * n ? FN(chs_p_half_turn)(c.w, w) : CHS_OK;
+}
 
 /* v = J_l(w)^-1 p, k as above. */
 SHARED void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {

@@ -79,7 +79,7 @@ static quaternion quaternion_between(const real A[9], const real B[9]) {
   transpose(A, At);
   multiply(At, B, R);
   quaternion q = quaternion_of(R);
-  if (R[0] + R[4] + R[8] > 1) {
+  if (q.near) {
     for (int i = 0; i < 9; i++) d[i] = B[i] - A[i];
     multiply(At, d, R);
     q.v[0] = R[7] - R[5];

@@ -70,6 +70,15 @@ def arctangent(u):
     return atan(sqrt(u)) / sqrt(u) if u else mpf(1)
 
 
+# z = u / (u + SPREAD) puts what is singular, u from -1 to -infinity, equally far from both ends of the interval.
+SPREAD = mpf(39) / 16
+
+
+def arc_ratio(z):
+    """atan(sqrt u) / sqrt u at u = 39/16 z / (1 - z)"""
+    return arctangent(SPREAD * z / (1 - z))
+
+
 # The angle runs to pi; 1e-3 more leaves room for the rounding of the comparisons that choose the interval. "relative"
 # divides the error by the function, "absolute" does not. A head of -1/64 leaves the least of sin(x/2)/x to the rest.
 SLACK = mpf("1.001")
@@ -86,6 +95,8 @@ KERNELS = [
     ("COSINE_SLOPE", cosine_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
     ("CUBIC_SLOPE", cubic_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
     ("COTANGENT_SLOPE", cotangent_slope, "P", WITHIN_PI, "relative", [], 0, (9, 5), WHOLE),
+    # A matrix that has drifted may be read beyond a quarter turn, u = 1, which divides the two uses of this one.
+    ("ARC_RATIO", arc_ratio, "1 + z P", mpf("1.1") / (mpf("1.1") + SPREAD), "relative", [mpf(1)], 1, (15, 7), WHOLE),
     ("ATAN_REST", arctangent, "1 + u P", SLACK / 4, "relative", [mpf(1)], 1, (13, 6), WHOLE),
 ]
 LIMITS = (16, 8)  # as powers of two
@@ -232,6 +243,7 @@ def section(precision, bits, suffix):
             lines += macro(f"{name}_LOW", x, constants[:low]) + macro(f"{name}_HIGH", x, constants[low:])
         else:
             lines += macro(name, x, constants)
+    lines.append(f"#define CHS_ARC_SPREAD {hexfloat(SPREAD, bits)}{suffix}")
     for name, value, parts in [("PI", pi, 3), ("HALF_PI", pi / 2, 2), ("QUARTER_PI", pi / 4, 2)]:
         for letter, piece in zip("ABC", split(value, bits, parts)):
             lines.append(f"#define CHS_{name}_{letter} {hexfloat(piece, bits)}{suffix}")
