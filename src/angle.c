@@ -104,7 +104,17 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
   return CHS_OK;
 }
 
-real FN(chs_p_angle_of)(real y, real x) { return angle_from(y, x); }
+real FN(chs_p_angle_of)(real y, real x) {
+  arc a = arc_of(y, ABS(x));
+  return x < 0 ? (CHS_PI_A - a.base) + (CHS_PI_B - a.rest) : a.base + a.rest;
+}
+
+SELDOM static real angle_of_tiny(const real y[3], real x) { return x < 0 ? CHS_PI_A : norm(y, 3) / x; }
+
+real FN(chs_p_angle_of_vector)(const real y[3], real x) {
+  real yy = dot(y, y);
+  return safe_square(yy) ? angle_from_square(yy, x) : angle_of_tiny(y, x);
+}
 
 int FN(chs_p_angles_status)(const real *angles, int n) {
   int status = finiteness(angles, n);

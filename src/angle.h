@@ -21,7 +21,8 @@
 #define sin_cos_of(...) FN(chs_p_sin_cos_of)(__VA_ARGS__)
 #define arc_ratio_rest(...) FN(chs_p_arc_ratio_rest)(__VA_ARGS__)
 #define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
-#define angle_from(...) FN(chs_p_angle_from)(__VA_ARGS__)
+#define angle_from_square(...) FN(chs_p_angle_from_square)(__VA_ARGS__)
+#define safe_square(...) FN(chs_p_safe_square)(__VA_ARGS__)
 #define signed_angle_of(...) FN(chs_p_signed_angle_of)(__VA_ARGS__)
 
 #ifdef CHS_SINGLE
@@ -157,13 +158,24 @@ SHARED arc arc_of(real y, real x) {
   return a;
 }
 
-/* atan2(y, x) for y >= 0 and any x, not both 0: in [0, pi]. One to inline, and one to call. */
-SHARED real angle_from(real y, real x) {
-  arc a = arc_of(y, ABS(x));
-  return x < 0 ? (CHS_PI_A - a.base) + (CHS_PI_B - a.rest) : a.base + a.rest;
+/* atan2(y, x) for y >= 0 and any x, not both 0: in [0, pi]. */
+real FN(chs_p_angle_of)(real y, real x);
+
+/* atan2(|y|, x) from yy = |y|^2, which must not be lost if y is not 0; nor may that of x be, if y is 0. */
+SHARED real angle_from_square(real yy, real x) {
+  real xx = x * x, less = yy > xx ? xx : yy, more = yy > xx ? yy : xx, t = SQRT(less / more);
+  real base = x < 0 ? CHS_PI_A : K(0.0), base_rest = x < 0 ? CHS_PI_B : K(0.0), sign = x < 0 ? K(-1.0) : K(1.0);
+  base = yy > xx ? CHS_HALF_PI_A : base;
+  base_rest = yy > xx ? CHS_HALF_PI_B : base_rest;
+  t *= yy > xx ? -sign : sign;
+  return (base + t) + (base_rest + t * arc_ratio_rest(less, more));
 }
 
-real FN(chs_p_angle_of)(real y, real x);
+/* The square of a y that is not 0 is not lost. */
+SHARED int safe_square(real yy) { return yy >= UNDERFLOWS * UNDERFLOWS; }
+
+/* The same of a vector y down to the smallest, x and y not both that small. */
+real FN(chs_p_angle_of_vector)(const real y[3], real x);
 
 /* atan2(y, x) in [-pi, pi], the sign of y also where y is a zero. */
 SHARED real signed_angle_of(real y, real x) {

@@ -260,9 +260,11 @@ static void tilt_error(pairs *b) {
     get_rows(b->nominal, lane, 3, N);
     get_rows(b->actual, lane, 3, A);
     tilt_and_torsion t = tilt_and_torsion_of(N, A);
-    b->nominal[ALPHA][lane] = angle_from(t.sine, t.cosine);
-    b->nominal[BETA][lane] = angle_from(ABS(t.turned), t.straight);
-    int ordinary = is_rotation(N) & is_rotation(A) & !torsion_is_undefined(t);
+    real tilted = dot(t.tilted, t.tilted), turned = t.turned * t.turned;
+    b->nominal[ALPHA][lane] = angle_from_square(tilted, t.cosine);
+    b->nominal[BETA][lane] = angle_from_square(turned, t.straight);
+    int defined = safe_square(tilted) & safe_square(turned) & !torsion_is_undefined(&t);
+    int ordinary = is_rotation(N) & is_rotation(A) & defined;
     b->nominal[MARGIN][lane] = ordinary ? K(1.0) : K(0.0);
   }
 }

@@ -7,18 +7,24 @@ real FN(chs_p_deviation)(const real R[9]) {
   return largest(off, 6) + poison;
 }
 
-/* A number with the sign of the determinant, whatever the size of the entries. */
-static real determinant_sign(const real M[9]) {
-  real most = largest(M, 9), scale = safe_to_square(most), scaled[9], third[3];
+static real determinant(const real M[9]) {
+  real third[3];
+  cross(M, M + 3, third);
+  return dot(M + 6, third);
+}
+
+/* Of entries that are too small or too large for the products. */
+SELDOM static real scaled_determinant(const real M[9]) {
+  real most = largest(M, 9), scale = safe_to_square(most), scaled[9];
   for (int i = 0; i < 9; i++) scaled[i] = (scale * M[i]) / (scale * most);
-  cross(scaled, scaled + 3, third);
-  return dot(scaled + 6, third);
+  return determinant(scaled);
 }
 
 int FN(chs_p_rotation_status)(const real R[9], real tolerance) {
-  int status = finiteness(R, 9);
-  if (status != CHS_OK) return status;
-  if (determinant_sign(R) < 0) return CHS_ERR_REFLECTION;
+  if (!all_finite(R, 9)) return finiteness(R, 9);
+  real d = determinant(R), size = ABS(d);
+  if (!(size > UNDERFLOWS && size <= REAL_MAX)) d = scaled_determinant(R);
+  if (d < 0) return CHS_ERR_REFLECTION;
   return FN(chs_p_deviation)(R) <= tolerance ? CHS_OK : CHS_ERR_NOT_ROTATION;
 }
 

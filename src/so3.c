@@ -85,17 +85,17 @@ int FN(chs_so3_right_jacobian_inverse)(const real w[3], real J[9]) { return jaco
 int FN(chs_so3_angle)(const real A[9], const real B[9], real *angle) {
   int status = first_error(check_rotation(A), check_rotation(B));
   if (status != CHS_OK) return status;
-  /* Twice the sine's axis is sum a_k x b_k = sum a_k x (b_k - a_k), k the columns: differences keep small angles
-   * exact. */
-  real s[3] = {0, 0, 0}, trace = 0;
-  for (int k = 0; k < 3; k++) {
-    real a[3] = {A[k], A[3 + k], A[6 + k]}, b[3] = {B[k], B[3 + k], B[6 + k]}, d[3], axd[3];
-    subtract(b, a, d);
-    cross(a, d, axd);
-    for (int i = 0; i < 3; i++) s[i] += axd[i];
-    trace += dot(a, b);
-  }
-  *angle = FN(chs_p_angle_of)(norm(s, 3), trace - K(1.0));
+  /* Twice the sine's axis is sum a_k x b_k = sum a_k x (b_k - a_k), k the columns: differences keep small angles exact.
+   * Its first component is row 2 of A times row 3 of B - A less row 3 times row 2, and so on. */
+  real d[9], s[3];
+  subtract(B, A, d);
+  subtract(B + 3, A + 3, d + 3);
+  subtract(B + 6, A + 6, d + 6);
+  s[0] = dot(A + 3, d + 6) - dot(A + 6, d + 3);
+  s[1] = dot(A + 6, d) - dot(A, d + 6);
+  s[2] = dot(A, d + 3) - dot(A + 3, d);
+  real trace = (dot(A, B) + dot(A + 3, B + 3)) + dot(A + 6, B + 6);
+  *angle = FN(chs_p_angle_of_vector)(s, trace - K(1.0));
   return CHS_OK;
 }
 

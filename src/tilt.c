@@ -7,9 +7,10 @@ int FN(chs_tilt_error)(const real nominal[9], const real actual[9], real *alpha,
   int status = first_error(check_rotation(nominal), check_rotation(actual));
   if (status != CHS_OK) return status;
   tilt_and_torsion t = tilt_and_torsion_of(nominal, actual);
-  int undefined = torsion_is_undefined(t);
-  *alpha = FN(chs_p_angle_of)(t.sine, t.cosine);
-  *beta = undefined ? K(0.0) : FN(chs_p_angle_of)(ABS(t.turned), t.straight);
+  int undefined = torsion_is_undefined(&t);
+  const real turned[3] = {t.turned, 0, 0};
+  *alpha = FN(chs_p_angle_of_vector)(t.tilted, t.cosine);
+  *beta = undefined ? K(0.0) : FN(chs_p_angle_of_vector)(turned, t.straight);
   return undefined ? CHS_TORSION_UNDEFINED : CHS_OK;
 }
 
