@@ -355,7 +355,8 @@ static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
 }
 
 /* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for
- * its length is |q| = 4 sin(theta/2) |e . (a x c)|. Wants the area measured. */
+ * its length is |q| = 4 sin(theta/2) |e . (a x c)|; and where the sides changed by more than twice what turning can do,
+ * whose squares are at most 4 sin(theta/2)^2 of theirs. Wants the area measured. */
 static INLINE int rodrigues(const triangles *t, quaternion *q) {
   real da[3], dc[3], sum[3];
   subtract(t->af, t->a, da);
@@ -364,8 +365,8 @@ static INLINE int rodrigues(const triangles *t, quaternion *q) {
   add_to(sum, t->cf);
   cross(da, dc, q->v);
   q->w = dot(da, sum);
-  real vv = dot(q->v, q->v), qq = vv + q->w * q->w;
-  return qq * qq >= vv * t->area;
+  real vv = dot(q->v, q->v), qq = vv + q->w * q->w, changed = dot(da, da) + dot(dc, dc);
+  return (qq * qq >= vv * t->area) & (qq * changed <= K(16.0) * (vv * (dot(t->a, t->a) + dot(t->c, t->c))));
 }
 
 /* Apart, where speed is not all. */

@@ -246,6 +246,20 @@ def noisy(fmt, rng, k):
     )
 
 
+def disturbed(fmt, rng, k):
+    """A body that hardly turned and one measured point of it that is off by more."""
+    points = rounded_points(fmt, random_triangle(rng), mpf(1), some_offset(rng))
+    size = magnitude(rng, 1e-4, 3e-3)
+    wrong = points[k % 3]
+    return case_inputs(
+        fmt,
+        points,
+        turn(rng, size * magnitude(rng, 1e-3, 1), k),
+        some_travel(rng),
+        lambda p: add(p, vector(rng, size)) if p is wrong else p,
+    )
+
+
 # Points on a grid, whose images under some displacements are exact
 
 
@@ -406,6 +420,7 @@ def bands(fmt, rng):
         Band("equilateral", 16, equilateral),
         Band("permuted", 18, permuted()),
         Band("noisy", 18, noisy),
+        Band("disturbed", 24, disturbed),
         Band("pure_translation", 18, pure_translation),
         Band("no_motion", 12, no_motion),
         Listed("example", examples(fmt)),

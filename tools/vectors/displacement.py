@@ -58,12 +58,15 @@ def half_angles(initial, final, eps):
     areas = [dot(n, n) for n in (cross(a, c), cross(a_after, c_after))]
     reach = initial.offset(final) + span
     zone = (8 * eps * span) ** 2 / areas[0]
+    sides = [dot(x, x) for x in (a, c)]
+    changes = [dot(x, x) for x in (subtract(a_after, a), subtract(c_after, c))]
     return q, min(
         (dd + nn) ** 2 / (nn * areas[0]),
         min(areas) / (64 * eps * span**2),
         span / (4 * eps * reach),
         nn * span / (zone * reach * (dd + nn)),
         dd / (zone * nn),
+        16 * sum(sides) * nn / ((dd + nn) * sum(changes)),
     )
 
 
