@@ -117,7 +117,9 @@ real FN(chs_p_angle_of_vector)(const real y[3], real x) {
 }
 
 int FN(chs_p_angles_status)(const real *angles, int n) {
+  int within = 1;
+  for (int i = 0; i < n; i++) within &= ABS(angles[i]) <= ANGLE_MAX; /* false for what is not a number */
+  if (within) return CHS_OK;
   int status = finiteness(angles, n);
-  if (status != CHS_OK) return status;
-  return largest(angles, n) > ANGLE_MAX ? CHS_ERR_ANGLE_RANGE : CHS_OK;
+  return status == CHS_OK ? CHS_ERR_ANGLE_RANGE : status;
 }
