@@ -254,7 +254,7 @@ typedef struct pairs {
 
 enum { ALPHA, BETA, MARGIN };
 
-static void tilt_error(pairs *b) {
+static APART void tilt_error(pairs *b) {
   for (int lane = 0; lane < LANES; lane++) {
     real N[9], A[9];
     get_rows(b->nominal, lane, 3, N);
