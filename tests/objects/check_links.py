@@ -19,15 +19,20 @@ def library_functions(nm, file, kinds):
     return {whole(name) for name, kind in names if kind in kinds and name.startswith("chs_")}
 
 
+def reachable(graph, function):
+    return {name for name in call_graph.reachable(graph, function) if name.startswith("chs_")}
+
+
 def check(function, graph, copies, directory, arguments):
     program = os.path.join(directory, function)
     command = [arguments.compiler, *arguments.options, "-nostartfiles", "-Wl,--gc-sections", f"-Wl,-e,{function}",
                f"-Wl,-u,{function}", arguments.library, "-lm", "-o", program]
     subprocess.run(command, check=True)
     linked = library_functions(arguments.nm, program, "TtWR")
-    wanted = {name for name in call_graph.reachable(graph, function) if name.startswith("chs_")}
-    return [f"{function} links {name}" for name in sorted(linked - wanted)] + [
-        f"{function} lacks {name}" for name in sorted(wanted - linked - copies)]
+    allowed = reachable(graph, function)
+    wanted = reachable({name: calls for name, calls in graph.items() if name not in copies}, function) - copies
+    return [f"{function} links {name}" for name in sorted(linked - allowed)] + [
+        f"{function} lacks {name}" for name in sorted(wanted - linked)]
 
 
 def main():
