@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-/* omega x v and omega . v, rounded once or twice. In a revolute joint omega . v is nothing but rounding, and q times that
- * would count; and omega x v counts up to twice. */
+/* omega x v and omega . v, rounded once or twice. In a revolute joint omega . v is nothing but rounding, and q times
+ * that would count; and omega x v counts up to twice. */
 static void exact_products(const real S[6], real wxv[3], real *pitch) {
   real scale = safe_to_square(largest(S + 3, 3)), v[3] = {scale * S[3], scale * S[4], scale * S[5]};
   exact_sum sum = product(S[0], v[0]);
@@ -21,9 +21,8 @@ static real excess_of(const real w[3]) {
   return (square.head - K(1.0)) + square.rest;
 }
 
-/* A turn by q about any unit axis, which rounding has made longer or shorter by
- * a few eps. The formula G(q) v = q v + (1 - cos q) w x v + (q - sin q) w x (w
- * x v) needs no second cross product, as w . w = 1. */
+/* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
+ * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
 static void turn_about(place *t, real excess, real q, real sine, real cosine, const real S[6]) {
   real E[9], u[3], wxv[3], versine = K(1.0) - cosine;
   const real *w = S, *v = S + 3;
@@ -31,8 +30,7 @@ static void turn_about(place *t, real excess, real q, real sine, real cosine, co
   cross(w, v, wxv);
   if (ABS(q) > 1) exact_products(S, wxv, &pitch);
   real along = (q - sine) * (pitch - K(1.5) * excess * pitch);
-  /* Beyond a quarter turn the versine is 2 less something small, and 2 wxv is
-   * not rounded. */
+  /* Beyond a quarter turn the versine is 2 less something small, and 2 wxv is not rounded. */
   real whole = cosine < 0 ? K(2.0) : K(0.0), rest = ((K(1.0) - whole) - cosine) - excess * versine;
   sine -= K(0.5) * excess * sine;
   versine -= excess * versine;
@@ -57,8 +55,8 @@ static void slide(place *t, const real S[6], real q) {
   add_to(t->p, v);
 }
 
-/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of
- * range or something is no number; t is then of no use. */
+/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of range or something is no number; t is then
+ * of no use. */
 static int advance(place *t, int k, const real S[6], real q) {
   real sine, cosine, excess = k < 0 ? excess_of(S) : K(0.0);
   if (!(ABS(excess) <= K(8.0) * EPS)) return advance_by_exp(t, S, q);
@@ -120,8 +118,7 @@ int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
   return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
 }
 
-/* Ad(t) S, the column of the Jacobian of a joint at t, k being the frame's axis
- * of S. */
+/* Ad(t) S, the column of the Jacobian of a joint at t, k being the frame's axis of S. */
 static inline void column_of(const place *t, int k, const real S[6], real column[6]) {
   real moment[3];
   if (k >= 0 && k < 3) {
@@ -169,8 +166,8 @@ int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
   return CHS_OK;
 }
 
-/* Numbers so ordinary that nothing can come out of range: what most calls need
- * to be told. The sums are poisoned by whatever is not finite. */
+/* Numbers so ordinary that nothing can come out of range: what most calls need to be told. The sums are poisoned by
+ * whatever is not finite. */
 static int is_ordinary(const chain *c, const real *q) {
   const real *M = c->home;
   real turns = 0, lengths = ABS(M[3]) + ABS(M[7]) + ABS(M[11]);
@@ -185,9 +182,8 @@ static int is_ordinary(const chain *c, const real *q) {
   return c->joints >= 1 && entries <= 8 && turns <= K(1.0) / (K(64.0) * EPS) && lengths <= K(0x1p-48) * REAL_MAX;
 }
 
-/* A walk that writes nothing: is every number of the places and columns finite,
- * columns seen from `frame`, displacements from the fixed frame? Gives the
- * tool's place. */
+/* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`,
+ * displacements from the fixed frame? Gives the tool's place. */
 static int rehearse(const chain *c, const real *q, const place *frame, place *t) {
   int good = c->joints >= 1;
   start(c, t);
@@ -206,16 +202,15 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
   return good && is_finite_place(t);
 }
 
-/* CHS_OK where the walk may write its results as it goes, or why there are
- * none. */
+/* CHS_OK where the walk may write its results as it goes, or why there are none. */
 static int may_walk(const chain *c, const real *q) {
   place t, end;
   if (is_ordinary(c, q)) return CHS_OK;
   return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : FN(chs_p_why_no_walk)(c, q);
 }
 
-/* The joint values moved to the end of an output that they may overlap. Each is
- * read before what takes its place is written. */
+/* The joint values moved to the end of an output that they may overlap. Each is read before what takes its place is
+ * written. */
 static const real *keep(const real *q, int n, real *end) {
   memmove(end, q, (size_t)n * sizeof *q);
   return end;

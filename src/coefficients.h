@@ -1,6 +1,6 @@
 /* Written by tools/coefficients/generate.py; do not edit.
  * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated
- * sums A + B + C, pi also as SHORT + REST. */
+ * sums A + B, pi also as SHORT + REST. */
 #ifndef CHASLES_COEFFICIENTS_H
 #define CHASLES_COEFFICIENTS_H
 
@@ -86,7 +86,6 @@
 #define CHS_ARC_SPREAD 0x1.38p+1
 #define CHS_PI_A 0x1.921fb54442d18p+1
 #define CHS_PI_B 0x1.1a62633145c07p-53
-#define CHS_PI_C -0x1.f1976b7ed8fbcp-109
 #define CHS_HALF_PI_A 0x1.921fb54442d18p+0
 #define CHS_HALF_PI_B 0x1.1a62633145c07p-54
 #define CHS_QUARTER_PI_A 0x1.921fb54442d18p-1
@@ -156,7 +155,6 @@
 #define CHS_ARC_SPREAD 0x1.38p+1F
 #define CHS_PI_A 0x1.921fb6p+1F
 #define CHS_PI_B -0x1.777a5cp-24F
-#define CHS_PI_C -0x1.ee59dap-49F
 #define CHS_HALF_PI_A 0x1.921fb6p+0F
 #define CHS_HALF_PI_B -0x1.777a5cp-25F
 #define CHS_QUARTER_PI_A 0x1.921fb6p-1F

@@ -68,7 +68,7 @@ static void print_found(const char *found) {
 enum text_result text_expected(const struct text *text, const char *found, const char *expected, ...) {
   va_list arguments;
   va_start(arguments, expected);
-  fprintf(stderr, "%s:%ld: expected ", text->name, text->line > 0 ? text->line : 1); /* 0 in an empty file */
+  fprintf(stderr, "%s:%ld: expected ", text->name, text->line);
   vfprintf(stderr, expected, arguments);
   fputs(", found ", stderr);
   print_found(found);
@@ -80,7 +80,7 @@ enum text_result text_expected(const struct text *text, const char *found, const
 enum text_result text_next(struct text *text) {
   size_t length = 0;
   int c = getc(text->file);
-  if (c != EOF) ++text->line;
+  if (c != EOF || text->line == 0) ++text->line; /* an empty file ends in its first line */
   while (c != EOF && c != '\n') {
     if (c == '\0') {
       fprintf(stderr, "%s:%ld: expected text, found a zero byte\n", text->name, text->line);

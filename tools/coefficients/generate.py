@@ -244,8 +244,8 @@ def section(precision, bits, suffix):
         else:
             lines += macro(name, x, constants)
     lines.append(f"#define CHS_ARC_SPREAD {hexfloat(SPREAD, bits)}{suffix}")
-    for name, value, parts in [("PI", pi, 3), ("HALF_PI", pi / 2, 2), ("QUARTER_PI", pi / 4, 2)]:
-        for letter, piece in zip("ABC", split(value, bits, parts)):
+    for name, value in [("PI", pi), ("HALF_PI", pi / 2), ("QUARTER_PI", pi / 4)]:
+        for letter, piece in zip("AB", split(value, bits, 2)):
             lines.append(f"#define CHS_{name}_{letter} {hexfloat(piece, bits)}{suffix}")
     # So few digits in the first part that its products with integers up to the limit are exact.
     limit = LIMITS[choice]
@@ -264,7 +264,7 @@ def header():
     lines = [
         "/* Written by tools/coefficients/generate.py; do not edit.",
         " * Polynomials by Estrin's scheme, those in two halves with CHS_HIGH for the power between; constants as unevaluated",
-        " * sums A + B + C, pi also as SHORT + REST. */",
+        " * sums A + B, pi also as SHORT + REST. */",
         "#ifndef CHASLES_COEFFICIENTS_H",
         "#define CHASLES_COEFFICIENTS_H",
         "",
