@@ -4,7 +4,8 @@
     tables.py --show | --write | --check  [--only NAME,...] [--targets TARGET,...] [--kinds KIND,...]
 
 flash         bytes that a program links because it calls this one function, -Os and -O2: the function, what it calls
-              in the library, and what the compiler's own libraries add for soft float and square roots
+              in the library, and what the compiler's own libraries add for soft float and square roots; then because
+              it calls all functions of a header, of all headers up to one, and of the library
 stack         most bytes of stack that a call takes, all that it calls included but for a function of the caller's own,
               at -O2
 instructions  least, typical and most of a call over all reference vectors at -O2, net of a call that does nothing;
@@ -107,11 +108,33 @@ def linked_bytes(target, symbols):
     return int(size[0]) + int(size[1])
 
 
+def read_sets():
+    """Title -> names of the functions of a header, and of the headers so far; motion.h counts as two."""
+    read = lambda pattern, *place: re.findall(pattern, ROOT.joinpath(*place).read_text(), re.M)
+    n_points = read(r"^(?:int|void) FN\(chs_(\w+)\)", "src", "motion_points.c")
+    alone, together, so_far = {}, {}, []
+    for title in ("so3.h", "se3.h", "screw.h", "motion.h, 3 points", "tilt.h", "line.h", "motion.h, n points", "chain.h",
+                  "agile_eye.h", "array.h"):
+        prototypes = read(r"^(?:int|void) chs_(\w+)\(", "include", "chasles", title.split(",")[0])
+        alone[title] = [name for name in prototypes if f"{name}f" in prototypes and
+                        (not title.startswith("motion") or (name in n_points) == title.endswith("n points"))]
+        so_far = so_far + alone[title]
+        together[f"so3.h to {title}"] = so_far
+    del together["so3.h to so3.h"], together["so3.h to array.h"]  # the whole library
+    return {**alone, **together}
+
+
+SETS = read_sets()
+LAST = [*SETS, WHOLE]
+
+
 def measure_flash(target, only):
     functions = target.functions()
     wanted = {key: [symbol] for key, symbol in functions.items() if not only or key[0] in only}
     if not only:
         for precision in ("double", "float"):
+            for title, names in SETS.items():
+                wanted[(title, precision)] = [functions[name, precision] for name in names]
             wanted[(WHOLE, precision)] = [symbol for key, symbol in functions.items() if key[1] == precision]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         sizes = pool.map(lambda symbols: linked_bytes(target, symbols), wanted.values())
@@ -270,7 +293,8 @@ ORDER = re.findall(r"^FUNCTION\((\w+),", (ROOT / "tools" / "chasles" / "function
 
 def place(key):
     name = key[0].split(" ")[0]
-    return (ORDER.index(name) if name in ORDER else len(ORDER), key[0] == WHOLE, key[1], key[0])
+    last = LAST.index(key[0]) if key[0] in LAST else -1
+    return (ORDER.index(name) if name in ORDER else len(ORDER), last, key[1], key[0])
 
 
 def measure(kind, arguments):
