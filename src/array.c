@@ -21,8 +21,8 @@
 #include <chasles/tilt.h>
 
 #include "pose.h"
-#include "screw_private.h"
 #include "tilt_private.h"
+#include "triangles.h"
 
 enum { LANES = 16 };
 
@@ -59,14 +59,14 @@ typedef int single(const real *in, real *out);
 
 /* Each element by the kernel where it is ordinary, else by the single function. */
 static INLINE int for_all(size_t n, const real *x, size_t x_stride, int inputs, real *y, size_t y_stride, int outputs,
-                          int *statuses, kernel *ordinary, single *any) {
+                          int *statuses, kernel *ordinarily, single *any) {
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
     block b;
     int count = lanes_left(n, i);
     if (VECTORS) {
       gather(x + i * x_stride, x_stride, inputs, count, b.x);
-      ordinary(&b);
+      ordinarily(&b);
     }
     for (int lane = 0; lane < count; lane++) {
       size_t at = i + (size_t)lane;
@@ -140,45 +140,67 @@ static void se3_exp(block *b) {
 
 static INLINE int is_rotation(const real R[9]) { return sum_of_offsets(R) <= (real)CHS_SO3_FAR; }
 
-/* What logarithm in rotation.h answers to a rotation, bit for bit, by selects, each by a comparison of its own because
- * gcc makes no vectors of a condition that several share. The largest axis is z, or else y, or else x. The result is
- * positive where the answer is CHS_OK, if R is a rotation. */
-static INLINE real logarithm_by_selects(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_near(R);
+/* What column_beyond in rotation.h takes, put in its places, bit for bit by selects, each by a comparison of its own
+ * because gcc makes no vectors of a condition that several share. The largest axis is z, or else y, or else x; or it is
+ * the column of w. */
+typedef struct column {
+  real v[3], vv; /* v is still to be multiplied by sign */
+  real w, sign;
+} column;
+
+static INLINE column column_by_selects(const real R[9], const quaternion *q) {
+  column c;
   real yx = R[4] > R[0] ? R[4] : R[0], first = R[8] > yx ? R[8] : yx;
   real beside_yx = R[4] > R[0] ? R[8] + R[0] : R[4] + R[8], others = R[8] > yx ? R[0] + R[4] : beside_yx;
   real x0 = (R[0] - R[4]) + (K(1.0) - R[8]), y1 = (R[4] - R[8]) + (K(1.0) - R[0]), z2 = (R[8] - R[0]) + (K(1.0) - R[4]);
   real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
   real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz;
-  real skew = R[4] > R[0] ? q.v[1] : q.v[0];
+  real skew = R[4] > R[0] ? q->v[1] : q->v[0];
   v0 = R[8] > yx ? xz : v0;
   v1 = R[8] > yx ? yz : v1;
   v2 = R[8] > yx ? z2 : v2;
-  skew = R[8] > yx ? q.v[2] : skew;
+  skew = R[8] > yx ? q->v[2] : skew;
   real xx = v0 * v0, yy = v1 * v1, zz = v2 * v2;
   real nn = R[4] > R[0] ? yy + (zz + xx) : xx + (yy + zz);
   nn = R[8] > yx ? zz + (xx + yy) : nn;
-  /* That of an axis or of w. */
-  real vv = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), w_of_w = (K(1.0) + first) + others;
-  v0 = others < 0 ? v0 : q.v[0];
-  v1 = others < 0 ? v1 : q.v[1];
-  v2 = others < 0 ? v2 : q.v[2];
-  nn = others < 0 ? nn : vv;
+  real vv = q->v[0] * q->v[0] + (q->v[1] * q->v[1] + q->v[2] * q->v[2]), w_of_w = (K(1.0) + first) + others;
+  c.v[0] = others < 0 ? v0 : q->v[0];
+  c.v[1] = others < 0 ? v1 : q->v[1];
+  c.v[2] = others < 0 ? v2 : q->v[2];
+  c.vv = others < 0 ? nn : vv;
   skew = others < 0 ? skew : w_of_w;
-  real n = SQRT(nn), far_w = ABS(skew), sign = skew < 0 ? K(-1.0) : K(1.0);
-  /* Near or beyond a quarter turn. */
-  real d = q.short_of_4, far_ww = far_w * far_w, near_ww = q.w * q.w, near_vv = dot(q.v, q.v);
-  real rest = arc_ratio_rest(d <= K(2.0) ? near_vv : far_ww, d <= K(2.0) ? near_ww : nn);
-  real near_k, near_m = multiple_near(&q, rest, &near_k), far_k, far_m = sign * multiple_far(n, far_w, rest, &far_k);
-  real whole = d <= K(2.0) ? K(0.5) : sign, m = d <= K(2.0) ? near_m : far_m;
-  v0 = d <= K(2.0) ? q.v[0] : v0;
-  v1 = d <= K(2.0) ? q.v[1] : v1;
-  v2 = d <= K(2.0) ? q.v[2] : v2;
+  c.w = ABS(skew);
+  c.sign = skew < 0 ? K(-1.0) : K(1.0);
+  return c;
+}
+
+/* What logarithm in rotation.h answers to a rotation. The result is positive where the answer is CHS_OK, if R is a
+ * rotation. */
+static INLINE real logarithm_by_selects(const real R[9], real w[3], real *k) {
+  quaternion q = quaternion_near(R);
+  column c = column_by_selects(R, &q);
+  real n = SQRT(c.vv);
+  real d = q.short_of_4, far_ww = c.w * c.w, near_ww = q.w * q.w, near_vv = dot(q.v, q.v);
+  real rest = arc_ratio_rest(d <= K(2.0) ? near_vv : far_ww, d <= K(2.0) ? near_ww : c.vv);
+  real near_k, near_m = multiple_near(&q, rest, &near_k), far_k, far_m = c.sign * multiple_far(n, c.w, rest, &far_k);
+  real whole = d <= K(2.0) ? K(0.5) : c.sign, m = d <= K(2.0) ? near_m : far_m;
+  real v0 = d <= K(2.0) ? q.v[0] : c.v[0], v1 = d <= K(2.0) ? q.v[1] : c.v[1], v2 = d <= K(2.0) ? q.v[2] : c.v[2];
   w[0] = whole * v0 + m * v0;
   w[1] = whole * v1 + m * v1;
   w[2] = whole * v2 + m * v2;
   *k = d <= K(2.0) ? near_k : far_k;
-  return d <= K(2.0) ? q.w : far_w - EPS * n;
+  return d <= K(2.0) ? q.w : c.w - EPS * n;
+}
+
+/* That of quaternion_of. */
+static INLINE quaternion quaternion_by_selects(const real R[9]) {
+  quaternion q = quaternion_near(R), out;
+  column c = column_by_selects(R, &q);
+  out.v[0] = q.short_of_4 <= K(2.0) ? q.v[0] : c.sign * c.v[0];
+  out.v[1] = q.short_of_4 <= K(2.0) ? q.v[1] : c.sign * c.v[1];
+  out.v[2] = q.short_of_4 <= K(2.0) ? q.v[2] : c.sign * c.v[2];
+  out.w = q.short_of_4 <= K(2.0) ? q.w : c.w;
+  return out;
 }
 
 /* The logarithm of what may be a rotation; positive where it is one, and not beside a half-turn. */
@@ -264,8 +286,8 @@ static APART void tilt_error(pairs *b) {
     b->nominal[ALPHA][lane] = angle_from_square(tilted, t.cosine);
     b->nominal[BETA][lane] = angle_from_square(turned, t.straight);
     int defined = safe_square(tilted) & safe_square(turned) & !torsion_is_undefined(&t);
-    int ordinary = is_rotation(N) & is_rotation(A) & defined;
-    b->nominal[MARGIN][lane] = ordinary ? K(1.0) : K(0.0);
+    int usual = is_rotation(N) & is_rotation(A) & defined;
+    b->nominal[MARGIN][lane] = usual ? K(1.0) : K(0.0);
   }
 }
 
@@ -294,23 +316,193 @@ int FN(chs_tilt_error_array)(size_t n, const real *nominal, size_t nominal_strid
   return all.worst;
 }
 
+/* The eight numbers of a screw. */
+static INLINE void put_screw(const screw *s, int lane, real x[][LANES]) {
+  put(s->axis, lane, 0, x);
+  put(s->point, lane, 3, x);
+  x[6][lane] = s->translation;
+  x[7][lane] = s->angle;
+}
+
+static INLINE void scatter_screws(real x[][LANES], const real margin[LANES], int count, screw *screws) {
+  for (int lane = 0; lane < count; lane++) {
+    if (!(margin[lane] > 0)) continue;
+    get(x, lane, 0, screws[lane].axis);
+    get(x, lane, 3, screws[lane].point);
+    screws[lane].translation = x[6][lane];
+    screws[lane].angle = x[7][lane];
+  }
+}
+
+/* What norm and unit in vec3.h make of a vector that need not be scaled, by the same operations. */
+static APART void screw_from_pose(block *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    const real origin[3] = {0, 0, 0};
+    real R[9], p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]};
+    screw s;
+    get_rows(b->x, lane, 4, R);
+    quaternion q = quaternion_by_selects(R);
+    real vv = dot(q.v, q.v), n = SQRT(vv), e[3] = {q.v[0] / n + K(0.0), q.v[1] / n + K(0.0), q.v[2] / n + K(0.0)};
+    screw_about(e, n, q.w, origin, p, &s);
+    put_screw(&s, lane, b->x);
+    int usual = is_rotation(R) & (vv >= K(4.0) * UNDERFLOWS * UNDERFLOWS) & (q.w > EPS * n);
+    b->margin[lane] = (usual ? K(1.0) : K(0.0)) + nothing(s.point);
+  }
+}
+
 int FN(chs_screw_from_pose_array)(size_t n, const real *T, size_t T_stride, screw *screws, int *statuses) {
   answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i++) note(&all, i, FN(chs_screw_from_pose)(T + i * T_stride, screws + i));
+  for (size_t i = 0; i < n; i += LANES) {
+    block b;
+    int count = lanes_left(n, i);
+    if (VECTORS) {
+      gather(T + i * T_stride, T_stride, 12, count, b.x);
+      screw_from_pose(&b);
+      scatter_screws(b.x, b.margin, count, screws + i);
+    }
+    for (int lane = 0; lane < count; lane++) {
+      size_t at = i + (size_t)lane;
+      int usual = VECTORS && b.margin[lane] > 0;
+      note(&all, at, usual ? CHS_OK : FN(chs_screw_from_pose)(T + at * T_stride, screws + at));
+    }
+  }
+  return all.worst;
+}
+
+/* Three points before and after; of ordinary ones then the rotation and place, with these the screw, and in the end the
+ * pose in place of all. */
+typedef struct displacements {
+  real x[18][LANES];
+  real margin[LANES]; /* as in a block */
+} displacements;
+
+enum { VECTOR = 0, SCALAR = 3, CENTER = 4, TRAVEL = 7, SCREW = 10 };
+
+static INLINE void bottema_roth(const triangles *t, quaternion *q) {
+  real R[9];
+  quaternion direct;
+  int clear = rodrigues(t, &direct);
+  laub_shiflett_rotation(t, R);
+  *q = quaternion_by_selects(R);
+  q->v[0] = clear ? direct.v[0] : q->v[0];
+  q->v[1] = clear ? direct.v[1] : q->v[1];
+  q->v[2] = clear ? direct.v[2] : q->v[2];
+  q->w = clear ? direct.w : q->w;
+}
+
+static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
+  real R[9];
+  laub_shiflett_rotation(t, R);
+  *q = quaternion_by_selects(R);
+}
+
+static INLINE void spoor_veldpaus(const triangles *t, quaternion *q) {
+  real R[9];
+  spoor_veldpaus_rotation(t, R);
+  *q = quaternion_by_selects(R);
+}
+
+static INLINE void rotations(displacements *b, real tolerance, void method(const triangles *t, quaternion *q)) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real initial[9], final[9];
+    triangles t;
+    place p;
+    quaternion q;
+    get_rows(b->x, lane, 3, initial);
+    get_rows(b->x + 9, lane, 3, final);
+    read_sides(initial, final, &t);
+    measure(&t);
+    method(&t, &q);
+    read_place(initial, final, &t, &p);
+    measure_reach(&p, &t);
+    put(q.v, lane, VECTOR, b->x);
+    b->x[SCALAR][lane] = q.w;
+    put(p.center, lane, CENTER, b->x);
+    put(p.travel, lane, TRAVEL, b->x);
+    b->margin[lane] = ordinary(&t, tolerance) && plain(&t, &q) ? K(1.0) : K(0.0);
+  }
+}
+
+static INLINE void get_rotation(real x[][LANES], int lane, quaternion *q, place *p) {
+  get(x, lane, VECTOR, q->v);
+  q->w = x[SCALAR][lane];
+  get(x, lane, CENTER, p->center);
+  get(x, lane, TRAVEL, p->travel);
+}
+
+static APART void find_screws(displacements *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    quaternion q;
+    place p;
+    screw s;
+    get_rotation(b->x, lane, &q, &p);
+    write_screw(&p, &q, SQRT(dot(q.v, q.v)), q.w < 0 ? K(-1.0) : K(1.0), &s);
+    put_screw(&s, lane, b->x + SCREW);
+  }
+}
+
+static APART void find_poses(displacements *b) {
+  for (int lane = 0; lane < LANES; lane++) {
+    quaternion q;
+    place p;
+    real R[9], shift[3];
+    get_rotation(b->x, lane, &q, &p);
+    pose_of(&p, &q, dot(q.v, q.v) + q.w * q.w, R, shift);
+    put_rows(R, lane, 4, b->x);
+    b->x[3][lane] = shift[0];
+    b->x[7][lane] = shift[1];
+    b->x[11][lane] = shift[2];
+  }
+}
+
+static INLINE void scatter_poses(displacements *b, int count, real *T, size_t stride) {
+  for (int lane = 0; lane < count; lane++)
+    if (b->margin[lane] > 0) scatter(b->x, 16, lane, T + (size_t)lane * stride);
+}
+
+typedef void finder(displacements *b, real tolerance);
+typedef int solver(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]);
+
+static INLINE int solve_all(size_t n, const real *initial, size_t initial_stride, const real *final,
+                            size_t final_stride, real tolerance, screw *screws, real *T, size_t T_stride, int *statuses,
+                            finder *find_rotations, solver *any) {
+  answers all = {statuses, CHS_OK};
+  for (size_t i = 0; i < n; i += LANES) {
+    displacements b;
+    int count = lanes_left(n, i);
+    if (VECTORS) {
+      gather(initial + i * initial_stride, initial_stride, 9, count, b.x);
+      gather(final + i * final_stride, final_stride, 9, count, b.x + 9);
+      find_rotations(&b, tolerance);
+      if (screws) {
+        find_screws(&b);
+        scatter_screws(b.x + SCREW, b.margin, count, screws + i);
+      }
+      if (T) {
+        find_poses(&b);
+        scatter_poses(&b, count, T + i * T_stride, T_stride);
+      }
+    }
+    for (int lane = 0; lane < count; lane++) {
+      size_t at = i + (size_t)lane;
+      int status = CHS_OK;
+      if (!(VECTORS && b.margin[lane] > 0))
+        status = any(initial + at * initial_stride, final + at * final_stride, tolerance, screws ? screws + at : NULL,
+                     T ? T + at * T_stride : NULL);
+      note(&all, at, status);
+    }
+  }
   return all.worst;
 }
 
 /* A method for three points, of which each function below names one, so that a program holds no other. */
 #define METHOD(name)                                                                                              \
+  static APART void name##_rotations(displacements *b, real tolerance) { rotations(b, tolerance, name); }         \
   int FN(chs_motion_##name##_array)(size_t n, const real *initial, size_t initial_stride, const real *final,      \
                                     size_t final_stride, real tolerance, screw *screws, real *T, size_t T_stride, \
                                     int *statuses) {                                                              \
-    answers all = {statuses, CHS_OK};                                                                             \
-    for (size_t i = 0; i < n; i++)                                                                                \
-      note(&all, i,                                                                                               \
-           FN(chs_motion_##name)(initial + i * initial_stride, final + i * final_stride, tolerance,               \
-                                 screws ? screws + i : NULL, T ? T + i * T_stride : NULL));                       \
-    return all.worst;                                                                                             \
+    return solve_all(n, initial, initial_stride, final, final_stride, tolerance, screws, T, T_stride, statuses,   \
+                     name##_rotations, FN(chs_motion_##name));                                                    \
   }
 
 METHOD(bottema_roth)

@@ -7,6 +7,8 @@
 
 #define screw_of_translation(...) FN(chs_p_screw_of_translation)(__VA_ARGS__)
 #define screw_through(...) FN(chs_p_screw_through)(__VA_ARGS__)
+#define angle_of_half(...) FN(chs_p_angle_of_half)(__VA_ARGS__)
+#define screw_about(...) FN(chs_p_screw_about)(__VA_ARGS__)
 #define screw_of_rotation(...) FN(chs_p_screw_of_rotation)(__VA_ARGS__)
 
 #ifdef CHS_SINGLE
@@ -42,13 +44,23 @@ SHARED void screw_through(const real from[3], const real travel[3], const real v
   s->axis[2] = z;
 }
 
-/* The screw of the rotation q, of vector length n > 0, that takes the point `from` to `from + travel` (Fenton & Shi
- * 1990, eq. 10 and 24). False where the axis lies beyond the range of the format. */
+/* The angle of a rotation of which n and w, times any number, are the sine and the cosine of the half. */
+SHARED real angle_of_half(real n, real w) {
+  arc half = arc_of(n, w > 0 ? w : K(0.0)); /* a settled half-turn may be a hair beyond pi */
+  return K(2.0) * (half.base + half.rest);
+}
+
+/* The screw about the unit vector e that takes the point `from` to `from + travel`; n and w as above. */
+SHARED void screw_about(const real e[3], real n, real w, const real from[3], const real travel[3], screw *s) {
+  screw_through(from, travel, e, 1, w / n, s);
+  s->angle = angle_of_half(n, w);
+}
+
+/* That of the rotation q, of vector length n > 0. False where the axis lies beyond the range of the format. */
 SHARED int screw_of_rotation(const quaternion *q, real n, const real from[3], const real travel[3], screw *s) {
   real e[3];
   unit(q->v, e);
-  screw_through(from, travel, e, 1, q->w / n, s);
-  s->angle = K(2.0) * FN(chs_p_angle_of)(n, q->w > 0 ? q->w : K(0.0)); /* a settled half-turn may be a hair beyond pi */
+  screw_about(e, n, q->w, from, travel, s);
   return all_finite(s->point, 3);
 }
 

@@ -1,0 +1,218 @@
+/* Two triangles, and the ordinary way from them to a rotation, a screw and a pose: what a solver does at once and its
+ * array form in blocks. */
+#ifndef CHASLES_TRIANGLES_H
+#define CHASLES_TRIANGLES_H
+
+#include "motion_private.h"
+
+/* Two triangles: the side a from the first point to the second and c from the third to the first, before and after. */
+typedef struct triangles {
+  real a[3], c[3], af[3], cf[3];
+  /* Of their squares half the sum over all sides before, and over those before and after; of what each square changed
+   * the sum. */
+  real before, span, strain;
+  real area, area_after; /* squares of twice the areas, good to 16 eps span^2 */
+  real reach;            /* two thirds of it are at least the square of the largest coordinate */
+  int ordinary;          /* nothing but ordinary is known of them, which saves looking closer */
+} triangles;
+
+/* Where they are. */
+typedef struct place {
+  real center[3]; /* centroid of the initial points */
+  real travel[3]; /* displacement of the centroid */
+} place;
+
+/* Half sums of squares between which products of eight lengths neither overflow nor underflow. */
+#ifdef CHS_SINGLE
+#define SPAN_LEAST 0x1p-21F
+#define REACH_MOST 0x1p+27F
+#else
+#define SPAN_LEAST 0x1p-201
+#define REACH_MOST 0x1p+199
+#endif
+
+static INLINE void read_sides(const real initial[9], const real final[9], triangles *t) {
+  subtract(initial + 3, initial, t->a);
+  subtract(initial, initial + 6, t->c);
+  subtract(final + 3, final, t->af);
+  subtract(final, final + 6, t->cf);
+}
+
+/* The mean of o, o + a and o - c, given the difference of a and c. */
+static INLINE void mean(const real o[3], const real a[3], const real c[3], real m[3]) {
+  const real third = K(1.0) / K(3.0);
+  m[0] = o[0] + third * (a[0] - c[0]);
+  m[1] = o[1] + third * (a[1] - c[1]);
+  m[2] = o[2] + third * (a[2] - c[2]);
+}
+
+static INLINE void read_place(const real initial[9], const real final[9], const triangles *t, place *p) {
+  real moved[3], da[3], dc[3];
+  subtract(final, initial, moved);
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  mean(initial, t->a, t->c, p->center);
+  mean(moved, da, dc, p->travel);
+}
+
+static INLINE void measure(triangles *t) {
+  real aa = dot(t->a, t->a), cc = dot(t->c, t->c), ac = dot(t->a, t->c);
+  real ff = dot(t->af, t->af), gg = dot(t->cf, t->cf), fg = dot(t->af, t->cf);
+  real da = ff - aa, dc = gg - cc, db = (da + dc) + K(2.0) * (fg - ac);
+  t->before = aa + cc + ac;
+  t->span = t->before + (ff + gg + fg);
+  t->strain = ABS(da) + ABS(db) + ABS(dc);
+  t->area = aa * cc - ac * ac;
+  t->area_after = ff * gg - fg * fg;
+}
+
+static INLINE void measure_reach(const place *p, triangles *t) {
+  t->reach = t->span + K(0.5) * (dot(p->center, p->center) + dot(p->travel, p->travel));
+}
+
+/* Far enough from lines, and near enough to the origin, for rounding to be out of the question. */
+static INLINE int well_shaped(const triangles *t) {
+  real least = K(256.0) * EPS * (t->span * t->span);
+  return t->area >= least && t->area_after >= least && t->span >= K(4.0) * EPS * t->reach;
+}
+
+/* Enough to be certain, at a glance, that examine() would find nothing wrong. NaN fails. */
+static INLINE int ordinary(const triangles *t, real tolerance) {
+  return well_shaped(t) && t->reach <= REACH_MOST && t->span >= SPAN_LEAST &&
+         t->strain <= K(4.0) / K(3.0) * tolerance * t->before;
+}
+
+/* Enough to be certain, of triangles of good shape, that the rotation is neither none nor a half-turn, nor near enough
+ * to either to ask. */
+static INLINE int plain(const triangles *t, const quaternion *q) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w, zone = K(256.0) * EPS * EPS * t->span;
+  return vv * t->area > zone * t->reach * (vv + ww) && ww * t->area > zone * t->span * vv;
+}
+
+/* The screw of q = (v; w), n = |v|, turned so that w is not negative where sign has its sign. */
+static INLINE void write_screw(const place *p, const quaternion *q, real n, real sign, screw *out) {
+  real w = sign * q->w;
+  screw_through(p->center, p->travel, q->v, sign / n, w / n, out);
+  out->angle = angle_of_half(n, w);
+}
+
+/* The rotation of q, |q|^2 = nn, and the translation that takes the centroid to the centroid. */
+static INLINE void pose_of(const place *p, const quaternion *q, real nn, real R[9], real shift[3]) {
+  rotation_from_quaternion(q, nn, R);
+  rotate(R, p->center, shift);
+  subtract(p->center, shift, shift);
+  add_to(shift, p->travel);
+}
+
+static const real sign_of[2] = {1, -1}; /* looked up, for a branch would be a coin's toss */
+
+static INLINE int write_plain(const place *p, const quaternion *q, screw *out, real T[16]) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w;
+  if (out) write_screw(p, q, SQRT(vv), sign_of[q->w < 0], out);
+  if (T) {
+    real R[9], shift[3];
+    pose_of(p, q, vv + ww, R, shift);
+    join(R, shift, T);
+  }
+  return CHS_OK;
+}
+
+/* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for
+ * its length is |q| = 4 sin(theta/2) |e . (a x c)|; and where the sides changed by more than twice what turning can do,
+ * whose squares are at most 4 sin(theta/2)^2 of theirs. Wants the area measured. */
+static INLINE int rodrigues(const triangles *t, quaternion *q) {
+  real da[3], dc[3], sum[3];
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  copy(t->c, 3, sum);
+  add_to(sum, t->cf);
+  cross(da, dc, q->v);
+  q->w = dot(da, sum);
+  real vv = dot(q->v, q->v), qq = vv + q->w * q->w, changed = dot(da, da) + dot(dc, dc);
+  return (qq * qq >= vv * t->area) & (qq * changed <= K(16.0) * (vv * (dot(t->a, t->a) + dot(t->c, t->c))));
+}
+
+/* The dual basis of the sides a and c before, and the unit normal's share: with N = a x c, that is c x N, N x a and N,
+ * all over N.N. */
+static INLINE void dual_basis(const triangles *t, real a[3], real c[3], real n[3]) {
+  cross(t->a, t->c, n);
+  cross(t->c, n, a);
+  cross(n, t->a, c);
+  real scale = K(1.0) / dot(n, n);
+  multiply_by(scale, a);
+  multiply_by(scale, c);
+  multiply_by(scale, n);
+}
+
+/* R = x a^T + y c^T + z n^T. */
+static INLINE void sum_of_products(const real x[3], const real a[3], const real y[3], const real c[3], const real z[3],
+                                   const real n[3], real R[9]) {
+  R[0] = x[0] * a[0] + y[0] * c[0] + z[0] * n[0];
+  R[1] = x[0] * a[1] + y[0] * c[1] + z[0] * n[1];
+  R[2] = x[0] * a[2] + y[0] * c[2] + z[0] * n[2];
+  R[3] = x[1] * a[0] + y[1] * c[0] + z[1] * n[0];
+  R[4] = x[1] * a[1] + y[1] * c[1] + z[1] * n[1];
+  R[5] = x[1] * a[2] + y[1] * c[2] + z[1] * n[2];
+  R[6] = x[2] * a[0] + y[2] * c[0] + z[2] * n[0];
+  R[7] = x[2] * a[1] + y[2] * c[1] + z[2] * n[1];
+  R[8] = x[2] * a[2] + y[2] * c[2] + z[2] * n[2];
+}
+
+/* Eq. 12 and 13 with both origins moved along the normal of the points' plane: Q takes the sides to what they became,
+ * and its cofactors take the normal a x c to af x cf. */
+static INLINE void laub_shiflett_rotation(const triangles *t, real R[9]) {
+  real a[3], c[3], n[3], Nf[3];
+  dual_basis(t, a, c, n);
+  cross(t->af, t->cf, Nf);
+  sum_of_products(t->af, a, t->cf, c, Nf, n, R);
+}
+
+/* A triangle in its own plane: the frame f1 along a, f2, f3 normal to the plane, and in it a = (l, 0), c = (u, h). */
+typedef struct flat {
+  real f1[3], f2[3], f3[3], l, u, h;
+} flat;
+
+static inline void flatten(const real a[3], const real c[3], flat *f) {
+  cross(a, c, f->f3);
+  real l = SQRT(dot(a, a)), n = SQRT(dot(f->f3, f->f3));
+  copy(a, 3, f->f1);
+  multiply_by(K(1.0) / l, f->f1);
+  multiply_by(K(1.0) / n, f->f3);
+  cross(f->f3, f->f1, f->f2);
+  f->l = l;
+  f->u = dot(a, c) / l;
+  f->h = n / l;
+}
+
+/* The rotation that takes the first frame to the second and then turns by the angle of (x, y) in its plane. */
+static inline void between_planes(const flat *f, const flat *g, real x, real y, real R[9]) {
+  real g1[3], g2[3], length = SQRT(x * x + y * y);
+  x /= length;
+  y /= length;
+  for (int i = 0; i < 3; i++) {
+    g1[i] = x * g->f1[i] + y * g->f2[i];
+    g2[i] = x * g->f2[i] - y * g->f1[i];
+  }
+  sum_of_products(g1, f->f1, g2, f->f2, g->f3, f->f3, R);
+}
+
+/* The turn in the plane that leaves the least sum of squares: sums over the sides of dot and of cross products. */
+static inline void least_squares_turn(const flat *f, const flat *g, real *x, real *y) {
+  *x = K(2.0) * (f->l * g->l + f->u * g->u + f->h * g->h) + (f->l * g->u + f->u * g->l);
+  *y = K(2.0) * (f->u * g->h - f->h * g->u) + (f->l * g->h - f->h * g->l);
+}
+
+/* Eq. 14 to 16. M takes the plane of the initial points to that of the final ones, and [m1/d11 m2/d22 ...] V^T is its
+ * orthogonal factor: in frames of the two planes that is a turn, without eigenvectors, equal d or division by a small
+ * one. With both normals on the side from which the points go round alike det M > 0, so that it is never a reflection.
+ * */
+static inline void spoor_veldpaus_rotation(const triangles *t, real R[9]) {
+  flat f, g;
+  real x, y;
+  flatten(t->a, t->c, &f);
+  flatten(t->af, t->cf, &g);
+  least_squares_turn(&f, &g, &x, &y);
+  between_planes(&f, &g, x, y, R);
+}
+
+#endif
