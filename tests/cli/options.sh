@@ -3,20 +3,25 @@ PROGRAM=$1
 version=$2
 . "$(dirname "$0")/expect.sh"
 
+# All that the program has, as its help lists them.
+run 0 --help
+commands=$(sed -n '/^subcommands:/,/^$/s/^  \([a-z-]*\) .*/\1/p' out | grep -vx help)
+[ "$(echo "$commands" | wc -l)" -eq 9 ] || fail "nine subcommands expected"
+
 run 0 --version
 [ "$(cat out)" = "chasles $version" ] || fail "the version should be $version"
 
 for help in --help -h help; do
   run 0 "$help"
   err_empty
-  for command in compare solve hash; do out_has "  $command"; done
+  for command in $commands; do out_has "  $command"; done
 done
 
-for command in compare solve hash; do
+for command in $commands; do
   run 0 help "$command"
   cp out help
   err_empty
-  for part in 'usage: chasles' 'options:' 'exit status:' 'examples:' '--help'; do out_has "$part"; done
+  for part in "usage: chasles $command" 'options' 'exit status:' 'examples:' '  --help'; do out_has "$part"; done
   run 0 "$command" --help
   cmp -s out help || fail "--help and help differ"
   [ "$(awk '{ if (length($0) > 120) n++ } END { print n + 0 }' out)" -eq 0 ] || fail "a line is too long"
