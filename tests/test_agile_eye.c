@@ -237,6 +237,14 @@ static void test_direct_near_picks_the_nearest_of_the_four(void) {
 
 /* A controller that follows the joints from orientation to orientation stays in its assembly mode, through D = 0 too,
  * where the working mode changes. */
+/* At the reference all four are diagonal, and equally far from a rotation without a diagonal. */
+static void test_direct_near_takes_the_first_of_modes_equally_far(void) {
+  const real q[3] = {0, 0, 0}, last[9] = {0, 1, 0, 0, 0, 1, 1, 0, 0};
+  real R[9];
+  ASSERT_STATUS(CHS_OK, FN(chs_agile_eye_direct_near)(q, last, R));
+  for (int i = 0; i < 9; i++) TEST_ASSERT_TRUE(R[i] == identity3[i]);
+}
+
 static void test_direct_near_follows_a_path_through_the_locked_orientation(void) {
   const real from[3] = {K(0.3), K(0.4), K(-0.5)}, to[3] = {K(1.2), K(1.1), K(-1.3)};
   real last[9], R[9], moved;
@@ -409,6 +417,19 @@ static void test_the_six_curves_are_told_by_status(void) {
       }
 }
 
+/* A sine of the angle between v_i and u_i of 4 eps, the header's limit, from below and from above. */
+static void test_a_leg_turns_freely_up_to_four_eps(void) {
+  for (int k = 1; k <= 8; k++) {
+    int i = k % 3, j = (i + 1) % 3;
+    real R[9], q[3], rates[9];
+    if (k == 4) continue;
+    singular_orientation(i, 1, 0.7, R);
+    R[3 * j + j] = (real)(k * EPS);
+    ASSERT_STATUS(k < 4 ? CHS_SELF_MOTION : CHS_OK, FN(chs_agile_eye_inverse)(R, 0, q));
+    ASSERT_STATUS(k < 4 ? CHS_ERR_SINGULAR : CHS_OK, FN(chs_agile_eye_jacobian_inverse)(R, rates));
+  }
+}
+
 static void test_the_locked_platform_is_told_by_status(void) {
   for (int k = 0; k < CASES; k++) {
     real q[3], R[9], all[24], rates[9], distance;
@@ -554,6 +575,7 @@ int main(void) {
   RUN_TEST(test_inverse_then_direct_returns_the_orientation_in_every_mode);
   RUN_TEST(test_direct_then_inverse_returns_the_joints);
   RUN_TEST(test_direct_near_picks_the_nearest_of_the_four);
+  RUN_TEST(test_direct_near_takes_the_first_of_modes_equally_far);
   RUN_TEST(test_direct_near_follows_a_path_through_the_locked_orientation);
   RUN_TEST(test_all_working_modes_answer_joint_errors_alike);
   RUN_TEST(test_the_platform_side_has_the_determinant_of_the_header);
@@ -562,6 +584,7 @@ int main(void) {
   RUN_TEST(test_the_inverse_jacobian_undoes_the_jacobian);
   RUN_TEST(test_jacobians_at_the_reference);
   RUN_TEST(test_the_six_curves_are_told_by_status);
+  RUN_TEST(test_a_leg_turns_freely_up_to_four_eps);
   RUN_TEST(test_the_locked_platform_is_told_by_status);
   RUN_TEST(test_the_orientation_is_a_locked_one_where_d_vanishes);
   RUN_TEST(test_near_a_curve_most_digits_of_the_joints_are_lost_and_a_status_says_so);

@@ -252,14 +252,16 @@ static void test_a_joint_that_cannot_go_on_is_at_its_limit(void) {
 }
 
 static void test_a_joint_that_has_room_winds_back(void) {
-  const real S[6] = {0, 0, 1, 0, 0, 0}, limits[2] = {-REAL_PI, REAL_PI + K(0.01)}, start[1] = {3},
-             wanted[1] = {K(-2.5)};
+  const real S[6] = {0, 0, 1, 0, 0, 0}, limits[2] = {-REAL_PI - K(0.01), REAL_PI + K(0.01)};
   const ik o = options_of(CHS_IK_NEWTON, 20, 0);
   chain c = {1, CHS_SPACE_FORM, S, {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, limits};
-  real T[16], q[1];
-  ASSERT_STATUS(CHS_OK, FN(chs_chain_fk)(&c, wanted, T));
-  ASSERT_STATUS(CHS_OK, FN(chs_chain_ik)(&c, T, start, &o, scratch, q, NULL));
-  TEST_ASSERT_DOUBLE_WITHIN(2 * (double)tolerance, -2.5, (double)q[0]);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    const real start[1] = {(real)(3 * sign)}, wanted[1] = {K(-2.5) * (real)sign};
+    real T[16], q[1];
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_fk)(&c, wanted, T));
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_ik)(&c, T, start, &o, scratch, q, NULL));
+    TEST_ASSERT_DOUBLE_WITHIN(2 * (double)tolerance, (double)wanted[0], (double)q[0]);
+  }
 }
 
 /* Two links of length 1 in the plane. */

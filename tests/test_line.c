@@ -351,6 +351,29 @@ static void test_nearly_parallel_lines_have_their_perpendicular(void) {
   }
 }
 
+/* The header's limits, 8 eps of the sine and 8 eps M of the distance, from below and from above. */
+static void test_parallel_meeting_and_coincident_lines_are_told_to_eight_eps(void) {
+  for (int k = 1; k <= 16; k++) {
+    if (k == 8) continue;
+    const real off = (real)(k * EPS), x_axis[6] = {1, 0, 0, 0, 0, 0}, beside[6] = {1, 0, 0, 0, 0, -1};
+    const real leaning[6] = {1, off, 0, 0, 0, -1};         /* through (0, 1, 0), where M = 1 */
+    const real above[6] = {0, 1, 0, -off, 0, 1};           /* through (1, 0, off), where M = 1 */
+    const real farther[6] = {1, 0, 0, 0, 0, -1 - 2 * off}; /* M = 2 */
+    const struct {
+      const real *A, *B;
+      int below;
+    } pairs[] = {{x_axis, leaning, CHS_PARALLEL}, {x_axis, above, CHS_INTERSECTING}, {beside, farther, CHS_COINCIDENT}};
+    for (int i = 0; i < LENGTH(pairs); i++) {
+      int expected = k < 8 ? pairs[i].below : i == 0 ? CHS_INTERSECTING : i == 1 ? CHS_OK : CHS_PARALLEL;
+      perpendicular p;
+      real distance;
+      ASSERT_STATUS(expected, FN(chs_line_distance)(pairs[i].A, pairs[i].B, &distance));
+      ASSERT_STATUS(expected, perpendicular_of(pairs[i].A, pairs[i].B, &p));
+      ASSERT_SAME_BITS(&distance, &p.distance, 1);
+    }
+  }
+}
+
 static void test_lines_with_a_direction_that_is_not_of_unit_length_are_refused(void) {
   const real bad[4][6] = {{2, 0, 0, 0, 1, 0}, {0, 0, 0, 0, 1, 0}, {0, K(0.98), 0, 0, 0, 0}, {REAL_MAX, 0, 0, 0, 0, 0}};
   const real good[6] = {0, 0, 1, 1, 0, 0}, x[3] = {1, 2, 3};
@@ -422,6 +445,12 @@ static void test_lengths_beyond_the_range_are_an_overflow(void) {
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, distance, FN(chs_line_distance)(A, B, &distance));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, p, perpendicular_of(A, B, &p));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, foot, FN(chs_line_project)(A, x, foot, NULL));
+
+  /* Two lines that meet in (0.9, 0.9, 0) REAL_MAX: all is within the range but the moment of their perpendicular. */
+  const real slope = K(0.714), side = K(0.495), reach = K(0.9) * slope * REAL_MAX;
+  const real up[6] = {side, side, slope, reach, -reach, 0}, down[6] = {side, side, -slope, -reach, reach, 0};
+  ASSERT_STATUS(CHS_INTERSECTING, FN(chs_line_distance)(up, down, &distance));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, p, perpendicular_of(up, down, &p));
 }
 
 int main(void) {
@@ -443,6 +472,7 @@ int main(void) {
   RUN_TEST(test_the_perpendicular_is_one);
   RUN_TEST(test_the_perpendicular_turns_round_with_the_lines_exchanged);
   RUN_TEST(test_nearly_parallel_lines_have_their_perpendicular);
+  RUN_TEST(test_parallel_meeting_and_coincident_lines_are_told_to_eight_eps);
   RUN_TEST(test_lines_with_a_direction_that_is_not_of_unit_length_are_refused);
   RUN_TEST(test_a_direction_that_is_a_little_long_counts_as_the_unit_one);
   RUN_TEST(test_outputs_of_the_perpendicular_may_be_left_out);

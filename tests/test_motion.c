@@ -205,6 +205,27 @@ static void test_rotations_within_their_error_of_a_half_turn_count_as_one(void) 
   }
 }
 
+/* Farther from it, the angle is told from pi. */
+static void test_rotations_beyond_their_error_of_a_half_turn_are_none(void) {
+  for (int k = 0; k < CASES; k++) {
+    real initial[9], final[9], T[16], w[3];
+    screw s;
+    for (int m = 0; m < 9; m += 3) random_vector(1, initial + m);
+    double kappa = scales_of(initial, initial).kappa, gap = uniform(32, 100) * EPS * kappa;
+    random_vector(PI - gap, w);
+    if (kappa > 100) continue;
+    FN(chs_se3_from_parts)(identity3, w, T);
+    FN(chs_so3_exp)(w, final);
+    for (int i = 0; i < 9; i++) T[4 * (i / 3) + i % 3] = final[i];
+    for (int m = 0; m < 9; m += 3) FN(chs_se3_apply)(T, initial + m, final + m);
+    for (int m = 0; m < LENGTH(solvers); m++) {
+      subject = solvers[m].name;
+      ASSERT_STATUS(CHS_OK, solvers[m].solve(initial, final, tolerance, &s, NULL));
+      ASSERT_WITHIN_EPS(PI - gap, s.angle, solvers[m].angle + 8, kappa); /* 8: the rounding of the points */
+    }
+  }
+}
+
 static void test_solvers_find_a_rotation_about_the_line_through_two_points(void) {
   for (int k = 0; k < CASES; k++) {
     displacement d = random_displacement(integer(0, 5));
@@ -445,6 +466,23 @@ static void test_pure_translations_are_exact(void) {
       for (int i = 0; i < 16; i++) TEST_ASSERT_TRUE(expected[i] == T[i]);
       ASSERT_STATUS(CHS_PURE_TRANSLATION, FN(chs_screw_from_pose)(T, &of_pose));
       ASSERT_SAME_BITS(of_pose.axis, s.axis, 8);
+    }
+  }
+}
+
+/* Sides whose ends were rounded have not turned. */
+static void test_a_translation_that_rounding_disturbs_is_still_pure(void) {
+  for (int k = 0; k < CASES; k++) {
+    real initial[9], final[9], p[3], T[16];
+    random_vector(log_uniform(0.1, 10), p);
+    for (int m = 0; m < 9; m += 3) random_vector(1, initial + m);
+    if (scales_of(initial, initial).kappa > 100) continue;
+    for (int i = 0; i < 9; i++) final[i] = initial[i] + p[i % 3];
+    for (int m = 0; m < LENGTH(solvers); m++) {
+      screw s;
+      subject = solvers[m].name;
+      ASSERT_STATUS(CHS_PURE_TRANSLATION, solvers[m].solve(initial, final, tolerance, &s, T));
+      TEST_ASSERT_TRUE(s.angle == 0 && T[0] == 1 && T[1] == 0);
     }
   }
 }
@@ -863,6 +901,7 @@ int main(void) {
   RUN_TEST(test_solvers_find_rotations_of_every_size);
   RUN_TEST(test_solvers_find_half_turns_with_a_positive_first_component);
   RUN_TEST(test_rotations_within_their_error_of_a_half_turn_count_as_one);
+  RUN_TEST(test_rotations_beyond_their_error_of_a_half_turn_are_none);
   RUN_TEST(test_solvers_find_a_rotation_about_the_line_through_two_points);
   RUN_TEST(test_solvers_find_an_axis_parallel_to_the_plane_of_the_points);
   RUN_TEST(test_solvers_do_not_mind_the_origin_in_the_plane_of_the_points);
@@ -876,6 +915,7 @@ int main(void) {
   RUN_TEST(test_solvers_find_the_pose_that_moved_the_points);
   RUN_TEST(test_the_screw_is_that_of_the_pose);
   RUN_TEST(test_pure_translations_are_exact);
+  RUN_TEST(test_a_translation_that_rounding_disturbs_is_still_pure);
   RUN_TEST(test_no_motion_is_the_identity);
   RUN_TEST(test_a_body_at_rest_with_one_coordinate_off_has_not_moved_far);
   RUN_TEST(test_laub_shiflett_sees_growth_without_rotation_as_a_translation);

@@ -115,6 +115,22 @@ static void test_a_half_turn_has_an_axis_whose_first_component_is_positive(void)
   }
 }
 
+/* pi - theta = skew, about x or against it: the status is that of chs_so3_log, the sense that of the skew part. */
+static void test_next_to_a_half_turn_the_skew_part_decides(void) {
+  for (int k = 0; k < 2 * 12; k++) {
+    real skew = (real)((k / 2 + 1) * 0.25 * EPS), sign = k % 2 ? -1 : 1;
+    const real R[9] = {1, 0, 0, 0, -1, -sign * skew, 0, sign * skew, -1};
+    real T[16], w[3];
+    screw s;
+    pose_of(R, 1, 2, 3, T);
+    ASSERT_STATUS((double)skew <= 2 * EPS ? CHS_HALF_TURN : CHS_OK, FN(chs_screw_from_pose)(T, &s));
+    ASSERT_STATUS((double)skew <= 2 * EPS ? CHS_HALF_TURN : CHS_OK, FN(chs_so3_log)(R, w));
+    TEST_ASSERT_TRUE(s.axis[0] == sign);
+    TEST_ASSERT_TRUE(sign * w[0] > 3);
+    ASSERT_WITHIN_EPS(1, s.translation * sign, CHS_EPS_SCREW_FROM_POSE_TRANSLATION, sqrt(14));
+  }
+}
+
 static void test_the_point_is_the_one_nearest_to_the_origin(void) {
   for (int k = 0; k < CASES; k++) {
     real T[16];
@@ -484,6 +500,7 @@ static void test_values_beyond_the_range_of_screw_axes_are_an_overflow(void) {
   real S[6], q[3], e[3], h, rate;
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, rate, FN(chs_screw_normalize)(V, S, &rate));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_parts)(far, q, e, &h));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_parts)(steep, q, e, &h));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_pitch)(far, &h));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, h, FN(chs_screw_axis_pitch)(steep, &h));
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, S, FN(chs_screw_axis_line)(far, S));
@@ -621,6 +638,7 @@ int main(void) {
   RUN_TEST(test_the_direction_of_subnormal_translations_is_resolved);
   RUN_TEST(test_a_quarter_turn_about_a_line_parallel_to_z);
   RUN_TEST(test_a_half_turn_has_an_axis_whose_first_component_is_positive);
+  RUN_TEST(test_next_to_a_half_turn_the_skew_part_decides);
   RUN_TEST(test_the_point_is_the_one_nearest_to_the_origin);
   RUN_TEST(test_rotation_about_an_axis_out_of_range_is_a_pure_translation);
   RUN_TEST(test_to_pose_takes_back_what_from_pose_gave);

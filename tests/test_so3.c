@@ -611,6 +611,22 @@ static void test_nearest_refuses_reflections_and_what_has_no_single_nearest_rota
   }
 }
 
+/* Correlation matrices of points in a plane or on a line, whose determinants and cofactors are nothing but rounding. */
+static void test_nearest_takes_rank_two_and_no_less_whatever_rounding_left(void) {
+  for (int k = 0; k < CASES; k++) {
+    real a[4][3], M[9], flat[9];
+    for (int i = 0; i < 4; i++) random_vector(1, a[i]);
+    for (int i = 0; i < 9; i++) {
+      flat[i] = rounded((double)a[0][i / 3] * (double)a[1][i % 3]);
+      M[i] = rounded((double)flat[i] + (double)a[2][i / 3] * (double)a[3][i % 3]);
+    }
+    real R[9];
+    ASSERT_REFUSES(CHS_ERR_SINGULAR, R, FN(chs_so3_nearest)(flat, R, NULL));
+    ASSERT_STATUS(CHS_OK, FN(chs_so3_nearest)(M, R, NULL));
+    TEST_ASSERT_EQUAL(CHS_OK, FN(chs_so3_check)(R, (real)(8 * EPS)));
+  }
+}
+
 /* Exactly as defined at CHS_SO3_FAR; numbers of few bits. */
 static void test_deviation_is_the_largest_of_the_defects(void) {
   const real d = K(0x1p-8);
@@ -708,6 +724,7 @@ int main(void) {
   RUN_TEST(test_nearest_is_the_same_at_any_scale);
   RUN_TEST(test_nearest_is_the_same_without_the_distance);
   RUN_TEST(test_nearest_refuses_reflections_and_what_has_no_single_nearest_rotation);
+  RUN_TEST(test_nearest_takes_rank_two_and_no_less_whatever_rounding_left);
   RUN_TEST(test_deviation_is_the_largest_of_the_defects);
   RUN_TEST(test_a_nearest_rotation_at_a_distance_beyond_the_range_is_an_overflow);
   RUN_TEST(test_deviation_beyond_the_range_is_an_overflow);
