@@ -50,8 +50,8 @@ int chs_line_normalize(const double raw[6], double L[6]);
 int chs_line_normalizef(const float raw[6], float L[6]);
 
 /* The line in another frame, or moved with a body: (R d; R m + p x R d), raw or unit as it was, which is what
- * chs_se3_adjoint_twist does to a twist. The error of the direction is relative to |R| |d|, that of the moment to
- * |R| (|m| + |p| |d|). */
+ * chs_se3_adjoint_twist does to a twist. With a rotation R the error of the direction is relative to |R| |d|, that of
+ * the moment to |R| (|m| + |p| |d|). */
 #define CHS_EPS_LINE_MOVE_DIRECTION 2.0
 #define CHS_EPS_LINE_MOVE_MOMENT 2.0
 void chs_line_move(const double T[16], const double L[6], double moved[6]);
