@@ -3,12 +3,7 @@
 /* Ordinary elements go through in blocks, number by number, in loops over the elements of a block without a branch: that
  * is what compilers turn into vector instructions. Where the processor has none, or size counts, one element after the
  * other is faster, smaller, and takes less stack. */
-#if !defined(__OPTIMIZE_SIZE__) && (defined(__SSE2__) || defined(_M_X64) || defined(__ARM_NEON) || \
-                                    defined(_M_ARM64) || defined(__VSX__) || defined(__riscv_vector))
-#define VECTORS 1
-#else
-#define VECTORS 0
-#endif
+#include "vectors.h"
 
 /* What gcc does only at -O3, or never as long as it thinks that somebody looks at errno or at the flags of floating
  * point, for then it keeps selects apart as branches. Before the headers, so that their functions can be inlined. */

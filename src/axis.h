@@ -9,7 +9,14 @@
 
 /* e = omega/|omega| and w = v/|omega|, omega not 0, with all their digits whatever the size of either; the rate is
  * |omega|. What overflows is left to the caller. */
-SHARED void per_radian(const real S[6], real e[3], real w[3], real *rate) {
+LARGE void per_radian(const real S[6], real e[3], real w[3], real *rate);
+
+/* Likewise with w = m + h e, m the moment of the axis, at a right angle to e, and h the pitch; the result is the rate. */
+LARGE real axis_of(const real S[6], real e[3], real m[3], real *h);
+
+#if LARGE_BODIES
+
+LARGE void per_radian(const real S[6], real e[3], real w[3], real *rate) {
   real scale = safe_to_square(largest(S, 3)), x[3], length;
   int enlarge = scale > 1 && largest(S + 3, 3) < 1;
   for (int i = 0; i < 3; i++) x[i] = scale * S[i];
@@ -21,13 +28,15 @@ SHARED void per_radian(const real S[6], real e[3], real w[3], real *rate) {
   *rate = length / scale;
 }
 
-/* Likewise with w = m + h e, m the moment of the axis, at a right angle to e, and h the pitch. */
-SHARED void axis_of(const real S[6], real e[3], real m[3], real *h) {
+LARGE real axis_of(const real S[6], real e[3], real m[3], real *h) {
   real rate, along;
   per_radian(S, e, m, &rate);
   along = dot(e, m);
   for (int i = 0; i < 3; i++) m[i] -= along * e[i];
   *h = along;
+  return rate;
 }
+
+#endif
 
 #endif

@@ -47,10 +47,16 @@ SHARED real difference_of_products(real a, real b, real c, real d) {
 }
 
 /* a x b where cancellation would eat the digits: rounded once or twice, whatever the angle between a and b. */
-SHARED void exact_cross(const real a[3], const real b[3], real c[3]) {
+LARGE void exact_cross(const real a[3], const real b[3], real c[3]);
+
+#if LARGE_BODIES
+
+LARGE void exact_cross(const real a[3], const real b[3], real c[3]) {
   c[0] = difference_of_products(a[1], b[2], a[2], b[1]);
   c[1] = difference_of_products(a[2], b[0], a[0], b[2]);
   c[2] = difference_of_products(a[0], b[1], a[1], b[0]);
 }
+
+#endif
 
 #endif

@@ -18,9 +18,9 @@
 /* The sine of lines that are parallel but for rounding. */
 #define ROUNDING (K(8.0) * EPS)
 
-/* A line as it is read: d of unit length, m at a right angle to it. */
+/* A line as it is read: d of unit length, m at a right angle to it; and the length that d had. */
 typedef struct line {
-  real d[3], m[3];
+  real d[3], m[3], length;
 } line;
 
 SHARED int check_line(const real L[6]) {
@@ -30,12 +30,7 @@ SHARED int check_line(const real L[6]) {
 }
 
 /* One that has passed the check. */
-SHARED line line_of(const real L[6]) {
-  line l;
-  real h;
-  axis_of(L, l.d, l.m, &h);
-  return l;
-}
+LARGE line line_of(const real L[6]);
 
 /* Its point nearest to the origin. */
 SHARED void point_of(const line *l, real p[3]) { cross(l->d, l->m, p); }
@@ -48,11 +43,7 @@ SHARED void foot_on(const line *l, const real x[3], real foot[3]) {
 }
 
 /* The normal a x b of two directions and its length, to full precision also where they are nearly parallel. */
-SHARED real normal_of(const real a[3], const real b[3], real n[3]) {
-  cross(a, b, n);
-  if (dot(n, n) < K(0.25)) exact_cross(a, b, n);
-  return norm(n, 3);
-}
+LARGE real normal_of(const real a[3], const real b[3], real n[3]);
 
 /* What lies between two lines: the common perpendicular's direction x, and along it the distance. */
 typedef struct between {
@@ -63,22 +54,44 @@ typedef struct between {
 } between;
 
 /* x across the line, as near as may be to the coordinate axis of the direction's smallest component. */
-SHARED void across(const real d[3], real x[3]) {
+LARGE void across(const real d[3], real x[3]);
+
+/* A and B have been checked. A sine up to `zero` counts as zero, and so does a distance (times the sine, where there is
+ * one) up to that share of |m_a| + |m_b| + far. */
+LARGE between between_lines(const real A[6], const real B[6], real zero, real far);
+
+/* Where the perpendicular meets the lines: t along each from its point nearest to the origin (eq. 8). */
+LARGE void feet_of(const between *r, real foot_a[3], real foot_b[3]);
+
+#if LARGE_BODIES
+
+LARGE line line_of(const real L[6]) {
+  line l;
+  real h;
+  l.length = axis_of(L, l.d, l.m, &h);
+  return l;
+}
+
+LARGE real normal_of(const real a[3], const real b[3], real n[3]) {
+  cross(a, b, n);
+  if (dot(n, n) < K(0.25)) exact_cross(a, b, n);
+  return norm(n, 3);
+}
+
+LARGE void across(const real d[3], real x[3]) {
   int k = 0;
   for (int i = 1; i < 3; i++) k = ABS(d[i]) < ABS(d[k]) ? i : k;
   for (int i = 0; i < 3; i++) x[i] = (i == k ? K(1.0) : K(0.0)) - d[k] * d[i];
   unit(x, x);
 }
 
-/* A and B have been checked. A sine up to `zero` counts as zero, and so does a distance (times the sine, where there is
- * one) up to that share of |m_a| + |m_b| + far. */
-SHARED between between_lines(const real A[6], const real B[6], real zero, real far) {
+LARGE between between_lines(const real A[6], const real B[6], real zero, real far) {
   between r;
   real n[3], length = normal_of(A, B, n);
   r.a = line_of(A);
   r.b = line_of(B);
   r.angle = FN(chs_p_angle_of)(length, dot(A, B));
-  r.sine = length / (norm(A, 3) * norm(B, 3));
+  r.sine = length / (r.a.length * r.b.length);
   real near = zero * norm(r.a.m, 3) + zero * norm(r.b.m, 3) + zero * far;
   if (r.sine > zero) {
     real turned = dot(r.a.d, r.b.m) + dot(r.b.d, r.a.m); /* s times the distance, against a x b */
@@ -96,17 +109,13 @@ SHARED between between_lines(const real A[6], const real B[6], real zero, real f
   subtract(to, from, to);
   along = dot(r.a.d, to);
   for (int i = 0; i < 3; i++) to[i] -= along * r.a.d[i];
-  r.distance = norm(to, 3);
+  r.distance = unit(to, r.x);
   r.status = r.distance <= near ? CHS_COINCIDENT : CHS_PARALLEL;
-  if (r.status == CHS_PARALLEL)
-    unit(to, r.x);
-  else
-    across(A, r.x);
+  if (r.status == CHS_COINCIDENT) across(A, r.x);
   return r;
 }
 
-/* Where the perpendicular meets the lines: t along each from its point nearest to the origin (eq. 8). */
-SHARED void feet_of(const between *r, real foot_a[3], real foot_b[3]) {
+LARGE void feet_of(const between *r, real foot_a[3], real foot_b[3]) {
   point_of(&r->a, foot_a);
   if (r->status == CHS_PARALLEL || r->status == CHS_COINCIDENT) {
     for (int i = 0; i < 3; i++) foot_b[i] = foot_a[i] + (r->status == CHS_PARALLEL ? r->distance * r->x[i] : K(0.0));
@@ -121,5 +130,7 @@ SHARED void feet_of(const between *r, real foot_a[3], real foot_b[3]) {
     foot_b[i] += tb * r->b.d[i];
   }
 }
+
+#endif
 
 #endif

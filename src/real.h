@@ -6,6 +6,7 @@
 #ifndef CHASLES_REAL_H
 #define CHASLES_REAL_H
 
+#include "vectors.h"
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
@@ -46,8 +47,7 @@
 
 /* Before a loop whose bounds are known once it is inlined: written out where code may be large and processors have much
  * to do at a time, which gcc does not do by itself at -O2. */
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__) && \
-    (defined(__SSE2__) || defined(__aarch64__))
+#if defined(__GNUC__) && !defined(__clang__) && VECTORS
 #define UNROLL _Pragma("GCC unroll 8")
 #else
 #define UNROLL
@@ -64,11 +64,24 @@
 #define SHARED static inline
 #endif
 
+/* LARGE is SHARED for what is worth copies only where code may be large, whatever else it is compiled for: elsewhere a
+ * source sees no more than the prototype. The bodies stand at the end of their header, #if LARGE_BODIES. */
+#if defined(DEFINE_SHARED)
+#define LARGE APART
+#define LARGE_BODIES 1
+#elif VECTORS
+#define LARGE static inline
+#define LARGE_BODIES 1
+#else
+#define LARGE
+#define LARGE_BODIES 0
+#endif
+
 /* In front of a loop over the four entries of a pose's row. Where there are vectors gcc shall not unroll it before its
  * vectoriser comes, but may unroll what that leaves; where there are none it shall write out all four. */
 #if !defined(__GNUC__) || defined(__clang__) || __GNUC__ < 8 || defined(__OPTIMIZE_SIZE__)
 #define OVER_ROW
-#elif defined(__SSE2__) || defined(__ARM_NEON)
+#elif VECTORS
 #define OVER_ROW _Pragma("GCC unroll 2")
 #else
 #define OVER_ROW _Pragma("GCC unroll 4")

@@ -152,9 +152,8 @@ int FN(chs_screw_normalize)(const real V[6], real S[6], real *rate) {
       return put_axis(e, w, CHS_OK, S);
     }
   }
-  size = norm(V + 3, 3);
+  size = unit(V + 3, w);
   if (!is_finite(size)) return CHS_ERR_OVERFLOW;
-  unit(V + 3, w);
   if (size == 0) w[2] = 1;
   *rate = size;
   return put_axis(none, w, size > 0 ? CHS_PURE_TRANSLATION : CHS_NO_MOTION, S);

@@ -18,15 +18,7 @@ typedef chs_screw screw;
 #endif
 
 /* The screw of a displacement without rotation: CHS_PURE_TRANSLATION, or CHS_NO_MOTION along a conventional z axis. */
-SHARED int screw_of_translation(const real p[3], screw *s) {
-  real length = norm(p, 3);
-  unit(p, s->axis);
-  if (length == 0) s->axis[2] = 1;
-  for (int i = 0; i < 3; i++) s->point[i] = 0;
-  s->translation = length;
-  s->angle = 0;
-  return length > 0 ? CHS_PURE_TRANSLATION : CHS_NO_MOTION;
-}
+LARGE int screw_of_translation(const real p[3], screw *s);
 
 /* Axis, point and translation of the screw that turns about the direction v and takes the point `from` to `from +
  * travel`, by eq. 10 and 24 of Fenton & Shi 1990: e = scale v is a unit vector, cotangent that of half the angle. */
@@ -63,5 +55,18 @@ SHARED int screw_of_rotation(const quaternion *q, real n, const real from[3], co
   screw_about(e, n, q->w, from, travel, s);
   return all_finite(s->point, 3);
 }
+
+#if LARGE_BODIES
+
+LARGE int screw_of_translation(const real p[3], screw *s) {
+  real length = unit(p, s->axis);
+  if (length == 0) s->axis[2] = 1;
+  for (int i = 0; i < 3; i++) s->point[i] = 0;
+  s->translation = length;
+  s->angle = 0;
+  return length > 0 ? CHS_PURE_TRANSLATION : CHS_NO_MOTION;
+}
+
+#endif
 
 #endif

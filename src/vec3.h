@@ -26,6 +26,7 @@
 #define is_finite(...) FN(chs_p_is_finite)(__VA_ARGS__)
 #define finiteness(...) FN(chs_p_finiteness)(__VA_ARGS__)
 #define all_finite(...) FN(chs_p_all_finite)(__VA_ARGS__)
+#define finiteness_at_a_glance(...) FN(chs_p_finiteness_at_a_glance)(__VA_ARGS__)
 #define why_not_finite(...) FN(chs_p_why_not_finite)(__VA_ARGS__)
 
 SHARED real dot(const real a[3], const real b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -143,34 +144,17 @@ SHARED real safe_to_square(real largest_entry) {
   return largest_entry < UNDERFLOWS ? ENLARGE : largest_entry > OVERFLOWS ? REDUCE : K(1.0);
 }
 
-SHARED real norm(const real *v, int n) {
-  real scale = safe_to_square(largest(v, n)), sum = 0;
-  for (int i = 0; i < n; i++) {
-    real x = scale * v[i];
-    sum += x * x;
-  }
-  return SQRT(sum) / scale;
-}
+LARGE real norm(const real *v, int n);
 
-/* e = v/|v|, or 0 for a zero vector, to full precision also where v is subnormal or huge. Its zeros are positive. */
-SHARED void unit(const real v[3], real e[3]) {
-  real scale = safe_to_square(largest(v, 3));
-  real x[3] = {scale * v[0], scale * v[1], scale * v[2]}, length = SQRT(dot(x, x));
-  for (int i = 0; i < 3; i++) e[i] = length > 0 ? x[i] / length + K(0.0) : K(0.0);
-}
+/* e = v/|v|, or 0 for a zero vector, to full precision also where v is subnormal or huge. Its zeros are positive. The
+ * result is |v|, with the bits of norm. e may be v. */
+LARGE real unit(const real v[3], real e[3]);
 
 /* False for NaN and infinities. */
 SHARED int is_finite(real x) { return ABS(x) <= REAL_MAX; }
 
 /* CHS_OK, CHS_ERR_NAN or CHS_ERR_INFINITE; NaN takes precedence. */
-SHARED int finiteness(const real *v, int n) {
-  int status = CHS_OK;
-  for (int i = 0; i < n; i++) {
-    if (v[i] != v[i]) return CHS_ERR_NAN;
-    if (!is_finite(v[i])) status = CHS_ERR_INFINITE;
-  }
-  return status;
-}
+LARGE int finiteness(const real *v, int n);
 
 /* By a sum of zeros, of which NaN and infinities make a NaN. */
 SHARED int all_finite(const real *v, int n) {
@@ -179,10 +163,44 @@ SHARED int all_finite(const real *v, int n) {
   return zero == 0;
 }
 
+/* finiteness() of what hardly ever is anything but finite. */
+SHARED int finiteness_at_a_glance(const real v[3]) { return all_finite(v, 3) ? CHS_OK : finiteness(v, 3); }
+
 /* The answer to a result that came out non-finite: the input's fault or the range's. */
-SHARED int why_not_finite(const real *input, int n) {
+LARGE int why_not_finite(const real *input, int n);
+
+#if LARGE_BODIES
+
+LARGE real norm(const real *v, int n) {
+  real scale = safe_to_square(largest(v, n)), sum = 0;
+  for (int i = 0; i < n; i++) {
+    real x = scale * v[i];
+    sum += x * x;
+  }
+  return SQRT(sum) / scale;
+}
+
+LARGE real unit(const real v[3], real e[3]) {
+  real scale = safe_to_square(largest(v, 3));
+  real x[3] = {scale * v[0], scale * v[1], scale * v[2]}, length = SQRT(dot(x, x));
+  for (int i = 0; i < 3; i++) e[i] = length > 0 ? x[i] / length + K(0.0) : K(0.0);
+  return length / scale;
+}
+
+LARGE int finiteness(const real *v, int n) {
+  int status = CHS_OK;
+  for (int i = 0; i < n; i++) {
+    if (v[i] != v[i]) return CHS_ERR_NAN;
+    if (!is_finite(v[i])) status = CHS_ERR_INFINITE;
+  }
+  return status;
+}
+
+LARGE int why_not_finite(const real *input, int n) {
   int status = finiteness(input, n);
   return status == CHS_OK ? CHS_ERR_OVERFLOW : status;
 }
+
+#endif
 
 #endif
