@@ -33,8 +33,8 @@ run 0 agile-eye --curves -
 [ "$(grep -c ',120$' out)" -ge $((3 * 361)) ] || fail "three curves have the torsion 120"
 
 run 2 agile-eye --sigma 0,20,...
-err_is "chasles: --sigma expects up to 64 numbers as 0,60 or 0,20,...,120, not '0,20,...'"
-for list in '' 1,, ,1 1,...,2 1,2,...,0 nan 0x10 1e999 1,2,...,1000; do
+err_is "chasles: --sigma expects up to 64 numbers from -360 to 360 as 0,60 or 0,20,...,120, not '0,20,...'"
+for list in '' 1,, ,1 1,...,2 1,2,...,0 nan 0x10 1e999 1,2,...,1000 0,361 -361; do
   run 2 agile-eye --sigma "$list"
 done
 for angle in 0.01 1degrees -1deg 0deg 1rad nandeg deg; do

@@ -45,5 +45,13 @@ err_is "chasles: --slide expects a length of at least 0, not '-1'"
 run 2 arm-error --epsilon 1 arm.robot
 run 2 arm-error arm.robot 1 2
 run 1 arm-error --grid 101 --epsilon 1e-300rad arm.robot -- 1e300 0 0
+err_is 'chasles: no errors of Wrist there: an angle is too large to be reduced modulo 2 pi'
+
+# Nor has a map where a joint that it leaves alone is beyond the range.
+sed 's/^prismatic.*/revolute 0 1 0  0 0 0/' arm.robot >turning.robot
+run 1 arm-error --over 1,2 --step 90 --out map.csv turning.robot -- 0 0 1e300
+err_is 'chasles: no errors of Wrist at 25 of 5 x 5 configurations'
+out_lacks alpha
+file_has map.csv '-180,-180,,,,,-4'
 
 finish

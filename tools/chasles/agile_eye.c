@@ -35,14 +35,16 @@ const char agile_eye_help[] =
     "the turn to the nearest singular orientation; the errors are empty where the error box reaches one. The table\n"
     "gives for each torsion how many orientations are singular in this sense, and what part of the others is inside.\n"
     "\n"
-    "exit status: 0 all well, 2 unusable arguments, or an output that cannot be written\n"
+    "exit status:\n"
+    "  0  the map or the curves were found\n"
+    "  2  unusable arguments, or an output that cannot be written\n"
     "\n"
     "examples:\n"
     "  chasles agile-eye --sigma 0,20,...,120 --epsilon 0.01deg\n"
     "  chasles agile-eye --out errors.csv && chasles agile-eye --curves curves.csv\n"
     "  python3 tools/study/agile_eye.py errors.csv curves.csv\n";
 
-enum { MOST_SIGMAS = 64 };
+enum { MOST_SIGMAS = 64, MOST_DEGREES = 360 };
 
 struct options {
   double sigmas[MOST_SIGMAS]; /* degrees */
@@ -260,8 +262,11 @@ static void print_curves(const struct map *map, FILE *file) {
 
 static bool read_sigmas(const char *word, struct options *options) {
   options->sigma_count = read_number_list(word, options->sigmas, MOST_SIGMAS);
-  if (options->sigma_count > 0) return true;
-  complain("--sigma expects up to %d numbers as 0,60 or 0,20,...,120, not '%s'", MOST_SIGMAS, word);
+  bool good = options->sigma_count > 0;
+  for (int i = 0; i < options->sigma_count; ++i) good = good && fabs(options->sigmas[i]) <= MOST_DEGREES;
+  if (good) return true;
+  complain("--sigma expects up to %d numbers from -%d to %d as 0,60 or 0,20,...,120, not '%s'", MOST_SIGMAS,
+           MOST_DEGREES, MOST_DEGREES, word);
   return false;
 }
 

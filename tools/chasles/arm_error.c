@@ -31,7 +31,10 @@ const char arm_error_help[] =
     "\n"
     "In CSV, inside says which worst errors (a, b, p for the position) have a joint strictly inside its interval.\n"
     "\n"
-    "exit status: 0 all well, 1 the arm has no errors there (a status says why), 2 unusable input or arguments\n"
+    "exit status:\n"
+    "  0  the errors were found\n"
+    "  1  the arm has none there, or at some place of the map: a status says why\n"
+    "  2  unusable input or arguments, or an output that cannot be written\n"
     "\n"
     "examples:\n"
     "  chasles arm-error tools/robots/ur5e.robot -- 0 -90 90 -90 -90 0\n"
@@ -146,6 +149,12 @@ static void print_map(const struct study *study, FILE *file) {
   }
 }
 
+static long count_good(const struct study *study) {
+  long good = 0;
+  for (long k = 0; k < (long)study->steps * study->steps; ++k) good += study->nodes[k].status >= 0;
+  return good;
+}
+
 static void print_extremes(const struct study *study, FILE *file) {
   static const char *const names[] = {"alpha", "beta", "position"};
   const long count = (long)study->steps * study->steps;
@@ -171,7 +180,7 @@ static bool write_map(const struct study *study) {
     print_map(study, file);
     if (!to_stdout && !output_close(file, name)) return false;
   }
-  print_extremes(study, to_stdout ? stderr : stdout);
+  if (count_good(study) > 0) print_extremes(study, to_stdout ? stderr : stdout);
   return true;
 }
 
@@ -182,9 +191,17 @@ static int map_errors(struct study *study) {
     complain("not enough memory for %d x %d configurations", study->steps, study->steps);
     return UNUSABLE;
   }
-  const bool good = sweep(study->steps, (int)study->options->threads, study_row, study) && write_map(study);
+  int status = UNUSABLE;
+  if (sweep(study->steps, (int)study->options->threads, study_row, study) && write_map(study)) {
+    const long missing = (long)study->steps * study->steps - count_good(study);
+    status = missing == 0 ? ALL_WELL : SOMETHING_OVER;
+    if (missing > 0) {
+      complain("no errors of %s at %ld of %d x %d configurations", study->robot.name, missing, study->steps,
+               study->steps);
+    }
+  }
   free(study->nodes);
-  return good ? ALL_WELL : UNUSABLE;
+  return status;
 }
 
 /* ---- Options ---- */
