@@ -161,7 +161,7 @@ int chs_so3_checkf(const float R[9], float tolerance);
  *   start      a rotation to within CHS_SO3_FAR. The solution found is that of its neighbourhood, not always the
  *              nearest.
  *   tolerance  |f| that counts as solved, >= 0.
- *   limit      the most steps, >= 0. A step calls the residual 7 to 16 times.
+ *   limit      the most steps, >= 0. A step calls the residual 7 to 14 times.
  *   R          the rotation.
  *   rest       |f| at it; may be NULL.
  *
