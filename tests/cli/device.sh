@@ -30,6 +30,19 @@ out_has ', other bits 0; requests repeated '
 out_lacks 'requests repeated 0 '
 sed -n '1p;/^so3_exp/p' there.csv | cmp -s - noisy.csv || fail "the table differs over a noisy line"
 
+# The same behind a TCP port and behind a serial one, at a rate of its own.
+for kind in tcp pty; do
+  "$python" "$here/attach.py" $kind $kind.name "$device" &
+  relay=$!
+  for second in 1 2 3 4 5 6 7 8 9 10; do [ -f $kind.name ] || sleep 1; done
+  rate=$([ $kind = pty ] && echo :230400)
+  run 0 compare --csv $kind.csv --device "$(cat $kind.name)$rate" --only so3_exp "$vectors"
+  err_empty
+  out_has ', other bits 0; requests repeated 0 (0 damaged lines, 0 silences)'
+  sed -n '1p;/^so3_exp/p' there.csv | cmp -s - $kind.csv || fail "the table differs behind $kind"
+  kill $relay 2>/dev/null
+done
+
 # A device that computes something else.
 run 1 compare --device "exec:$hollow" --only so3_hat "$vectors"
 err_empty
