@@ -2,6 +2,7 @@
 
 #include "exact.h"
 #include "motion_private.h"
+#include "motion_sums.h"
 
 #ifdef CHS_SINGLE
 typedef chs_motion_sumsf motion_sums;
@@ -11,22 +12,19 @@ typedef chs_motion_sums motion_sums;
 typedef chs_motion_quality motion_quality;
 #endif
 
-/* What is summed, of points about - their distances x and y from the points that the sums are about, times the weight:
- * the weight itself, x, y, the nine products of components, a row for each of y, and both squares. */
-enum { WEIGHT, FIRST, PRODUCTS = FIRST + 6, SQUARES = PRODUCTS + 9, SUMS = SQUARES + 2 };
-
 /* Up to so many points are summed plainly before they join the total, which keeps what rounding takes from it. */
-enum { BLOCK = 64, SAMPLE = 16 };
+enum { BLOCK = 64 };
 
 /* The sums stay about the same two points until the weight is so many times what their mean was taken of. So they are
  * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud, in whatever order points come. */
 #define REACH K(8.0)
 
-/* Points one after the other and their weights, or NULL where all are 1. */
-typedef struct run {
-  size_t count;
-  const real *initial, *final, *weights;
-} run;
+/* Sums between it and its inverse can be raised to the fourth power and leave room for what is small beside them. */
+#ifdef CHS_SINGLE
+#define MODEST 0x1p+15F
+#else
+#define MODEST 0x1p+120
+#endif
 
 static real weight_of(const run *r, size_t i) { return r->weights ? r->weights[i] : K(1.0); }
 
@@ -42,36 +40,6 @@ static INLINE void add_exactly(motion_sums *s, int k, exact_sum x) {
 static INLINE void add_plainly(motion_sums *s, int k, real x) {
   exact_sum t = {x, 0};
   add_exactly(s, k, t);
-}
-
-/* So many sums stay in registers only by names of their own. */
-static INLINE void gather(const run *r, const real about[6], int weighted, real scale, real sum[SUMS]) {
-  real ax = about[0], ay = about[1], az = about[2], bx = about[3], by = about[4], bz = about[5];
-  real w = 0, px = 0, py = 0, pz = 0, qx = 0, qy = 0, qz = 0, pp = 0, qq = 0;
-  real xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
-  for (size_t i = 0; i < r->count; i++) {
-    const real *p = r->initial + 3 * i, *q = r->final + 3 * i;
-    real x = p[0] - ax, y = p[1] - ay, z = p[2] - az, fx = q[0] - bx, fy = q[1] - by, fz = q[2] - bz;
-    real vx = x, vy = y, vz = z, ux = fx, uy = fy, uz = fz; /* times the weight */
-    if (weighted) {
-      real v = weight_of(r, i);
-      x *= scale, y *= scale, z *= scale, fx *= scale, fy *= scale, fz *= scale;
-      vx = v * x, vy = v * y, vz = v * z, ux = v * fx, uy = v * fy, uz = v * fz;
-      w += v;
-    }
-    px += vx, py += vy, pz += vz, qx += ux, qy += uy, qz += uz;
-    xx += fx * vx, xy += fx * vy, xz += fx * vz;
-    yx += fy * vx, yy += fy * vy, yz += fy * vz;
-    zx += fz * vx, zy += fz * vy, zz += fz * vz;
-    pp += x * vx + y * vy + z * vz;
-    qq += fx * ux + fy * uy + fz * uz;
-  }
-  sum[WEIGHT] = weighted ? w : (real)r->count;
-  real *first = sum + FIRST, *H = sum + PRODUCTS;
-  first[0] = px, first[1] = py, first[2] = pz, first[3] = qx, first[4] = qy, first[5] = qz;
-  H[0] = xx, H[1] = xy, H[2] = xz, H[3] = yx, H[4] = yy, H[5] = yz, H[6] = zx, H[7] = zy, H[8] = zz;
-  sum[SQUARES] = pp;
-  sum[SQUARES + 1] = qq;
 }
 
 /* The sums about two other points. */
@@ -102,25 +70,19 @@ static void make_room(motion_sums *s, const run *r, real w) {
   s->about_weight = w > weight ? w : weight;
 }
 
-/* Places the empty sums amid the first points of a run, if they are all there. */
+/* Places the empty sums at the mean of a sample of a run, if that is all there. */
 static void settle(motion_sums *s, const run *r) {
-  const real *p = r->initial, *q = r->final;
-  size_t n = r->count < SAMPLE ? r->count : SAMPLE;
-  real x = 0, y = 0, z = 0, fx = 0, fy = 0, fz = 0, share = K(1.0) / (real)n;
-  for (size_t i = 3; i < 3 * n; i += 3) {
-    x += p[i] - p[0], y += p[i + 1] - p[1], z += p[i + 2] - p[2];
-    fx += q[i] - q[0], fy += q[i + 1] - q[1], fz += q[i + 2] - q[2];
-  }
-  const real about[6] = {p[0] + share * x,  p[1] + share * y,  p[2] + share * z,
-                         q[0] + share * fx, q[1] + share * fy, q[2] + share * fz};
-  if (!all_finite(about, 6)) return;
-  copy(about, 6, s->about);
-  s->about_weight = (real)n;
+  real mean[7];
+  if (!sample_mean(r, mean)) return;
+  copy(mean, 6, s->about);
+  s->about_weight = mean[6];
 }
 
-/* How many of the first points may be added before the sums must be moved; fewer too where a weight is not one. */
-static size_t room_for(const motion_sums *s, const run *r) {
-  real room = REACH * s->about_weight - total(s, WEIGHT);
+/* The weight that may be added before the sums must be moved. */
+static real room_in(const motion_sums *s) { return REACH * s->about_weight - total(s, WEIGHT); }
+
+/* How many of the first points have no more weight than that; fewer too where a weight is not one. */
+static size_t count_within(real room, const run *r) {
   size_t most = r->count < BLOCK ? r->count : BLOCK, i = 0;
   if (!r->weights) return room >= (real)most ? most : room > 0 ? (size_t)room : 0;
   for (real w = 0; i < most; i++) {
@@ -130,23 +92,24 @@ static size_t room_for(const motion_sums *s, const run *r) {
   return i;
 }
 
-/* Adds the points of a run at once. False, and nothing added, where they must be looked at one by one: where one is
- * missing, or the squares leave the format's range. */
-static APART int add_block(motion_sums *s, const run *r) {
+/* Adds the first points of a run at once. 0, and nothing added, where they must be looked at one by one: where one is
+ * missing, the squares leave the format's range, or the weights are more than there is room for. The squares tell of all
+ * that is not finite, for nothing that is summed is larger but the weight. */
+static APART size_t add_block(motion_sums *s, const run *r, size_t count, real room) {
+  const run block = {count, r->initial, r->final, r->weights};
   real sum[SUMS];
-  if (r->weights || s->scale != 1)
-    gather(r, s->about, 1, s->scale, sum);
-  else
-    gather(r, s->about, 0, 1, sum);
-  real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
-  if (r->count > 1 && !(all_finite(sum, SUMS) && least > UNDERFLOWS * UNDERFLOWS)) return 0;
+  size_t points = gather(&block, s->about, s->scale, sum);
+  if (count > 1) {
+    real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
+    int finite = sum[SQUARES] <= REAL_MAX && sum[SQUARES + 1] <= REAL_MAX;
+    if (!(finite && points > 0 && sum[WEIGHT] <= room && least > UNDERFLOWS * UNDERFLOWS)) return 0;
+  }
   if (s->points == 0)
     copy(sum, SUMS, s->sum);
   else
     for (int k = 0; k < SUMS; k++) add_plainly(s, k, sum[k]);
-  if (!r->weights) s->points += r->count;
-  for (size_t i = 0; r->weights && i < r->count; i++) s->points += r->weights[i] > 0;
-  return 1;
+  s->points += points;
+  return count;
 }
 
 /* Lengths are multiplied by a power of two that makes them safe to square: by that of the largest so far. */
@@ -177,14 +140,14 @@ static APART int make_ready(motion_sums *s, const run *point) {
     if (!is_finite(most)) return CHS_ERR_OVERFLOW;
     fit_scale(s, most);
   }
-  if (room_for(s, point) == 0) make_room(s, point, w);
+  if (!(w <= room_in(s))) make_room(s, point, w);
   return CHS_OK;
 }
 
 static INLINE int add_point(motion_sums *s, const run *point) {
   if (weight_of(point, 0) == 0) return CHS_OK;
   int status = make_ready(s, point);
-  if (status == CHS_OK) add_block(s, point);
+  if (status == CHS_OK) add_block(s, point, 1, 0);
   return status;
 }
 
@@ -193,21 +156,22 @@ static run rest_of(run r, size_t done) {
   return rest;
 }
 
-/* Blocks of points as long as they are ordinary, single ones where they are not. */
+/* Blocks of points as long as they are ordinary, single ones where they are not. Weights are only looked at where a whole
+ * block's are too many. */
 static int add_run(motion_sums *s, run r) {
-  if (r.count > 0 && !r.weights && s->points == 0) settle(s, &r);
+  if (r.count > 0 && s->points == 0) settle(s, &r);
   while (r.count > 0) {
-    run block = r;
-    block.count = room_for(s, &r);
-    if (block.count > 1 && add_block(s, &block)) {
-      r = rest_of(r, block.count);
-      continue;
+    size_t block = r.count < BLOCK ? r.count : BLOCK;
+    real room = room_in(s);
+    size_t singly = r.weights ? block : count_within(room, &r), done = singly > 1 ? add_block(s, &r, singly, room) : 0;
+    if (done == 0 && r.weights) {
+      singly = count_within(room, &r);
+      done = singly > 1 && singly < block ? add_block(s, &r, singly, room) : 0;
     }
-    size_t singly = block.count > 0 ? block.count : 1;
-    for (size_t i = 0; i < singly; i++) {
-      run point = r;
-      point.count = 1;
-      int status = add_point(s, &point);
+    r = rest_of(r, done);
+    if (done == 0 && singly == 0) singly = 1;
+    for (size_t i = done; i < singly; i++) {
+      int status = add_point(s, &r);
       if (status < 0) return status;
       r = rest_of(r, 1);
     }
@@ -229,26 +193,27 @@ typedef struct cloud {
 
 /* NaN where not even one component is a number. */
 static int read_cloud(const motion_sums *s, cloud *c) {
-  real w = total(s, WEIGHT), unscale = K(1.0) / s->scale, mean[6];
+  real w = total(s, WEIGHT), share = K(1.0) / w, unscale = K(1.0) / s->scale, mean[6], size[2];
   for (int k = 0; k < 6; k++) {
-    mean[k] = total(s, FIRST + k) / w;
+    mean[k] = share * total(s, FIRST + k);
     c->offset[k] = mean[k] * unscale;
   }
   for (int k = 0; k < 2; k++) {
     const real *m = mean + 3 * k;
     c->squares[k] = total(s, SQUARES + k) - w * dot(m, m);
     if (c->squares[k] < 0) c->squares[k] = 0;
-    c->size[k] = SQRT(c->squares[k] / w) * unscale;
+    size[k] = SQRT(share * c->squares[k]);
+    c->size[k] = size[k] * unscale;
   }
+  c->N = (w * size[0]) * size[1];
   for (int i = 0; i < 3; i++) {
     c->center[i] = s->about[i] + c->offset[i];
     c->travel[i] = (s->about[3 + i] - s->about[i]) + (c->offset[3 + i] - c->offset[i]);
   }
-  c->N = SQRT(c->squares[0]) * SQRT(c->squares[1]);
   if (!(c->N <= REAL_MAX)) return CHS_ERR_OVERFLOW;
   for (int k = 0; k < 2; k++)
     if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
-  real reduce = EPS / power_of_two_below(EPS * c->N);
+  real reduce = c->N > MODEST || c->N * MODEST < 1 ? EPS / power_of_two_below(EPS * c->N) : K(1.0);
   c->reduce = reduce;
   for (int i = 0; i < 9; i += 3) {
     real wy = w * mean[3 + i / 3];
@@ -267,80 +232,88 @@ static real square_of(const real X[9]) { return dot(X, X) + dot(X + 3, X + 3) + 
 /* The rotation R that makes trace(R^T H) largest, and what that rests on. */
 typedef struct best_rotation {
   quaternion q;
-  real trace;      /* of S = R^T H */
-  real inverse[9]; /* of A = trace(S) I - S, the second derivative */
-  real condition;  /* N |A^-1| */
+  real trace;     /* lambda, of S = R^T H */
+  real a;         /* lambda^2 - |H|^2 */
+  real curvature; /* 1 / det A, A = trace(S) I - S the second derivative; A^-1 = (S^2 + a/2 I) / det A, S^2 = H^T H */
+  real condition; /* N |A^-1| */
 } best_rotation;
 
-/* lambda = s1 + s2 + s3, the largest trace(R^T H), s3 negative where H is a reflection, by its distance from |H|:
- * a = lambda^2 - |H|^2 = 2 (s1 s2 + s1 s3 + s2 s3) is the largest root of a^2 - 8 det(H) lambda - 4 |cof H|^2, and all
- * terms are small where s2 and s3 are. Newton's iteration descends from above; what it starts from is nearly the root
- * where the points are nearly rigid. Then (Markley 1993)
- *   R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / (a/2 lambda - det H), the divisor being
- * (s1 + s2)(s1 + s3)(s2 + s3). False where that is nothing but rounding. */
-static int first_guess(const cloud *c, const real C[9], real HH, real CC, best_rotation *best) {
-  const real *H = c->H;
-  real det = dot(H, C), bound = K(0.5) * (c->squares[0] + c->squares[1]);
-  real a = bound * bound - HH, most = K(3.4641016151377544) * SQRT(CC), lambda = 0, step = 1;
-  if (!(a < most)) a = most;
-  for (int i = 0; i < 24 && ABS(step) > SQRT(EPS) * ABS(a); i++) {
-    lambda = SQRT(HH + a);
-    real slope = K(2.0) * a - K(4.0) * det / lambda;
-    step = slope > 0 ? (a * a - K(8.0) * det * lambda - K(4.0) * CC) / slope : K(0.0);
-    a -= step;
-    if (!(HH + a > 0)) return 0;
-  }
-  lambda = SQRT(HH + a);
-  real divisor = K(0.5) * a * lambda - det;
-  if (!(divisor > K(8.0) * EPS * HH * SQRT(HH))) return 0;
-  real Ht[9], G[9], R[9], sum = K(0.5) * a + HH;
-  transpose(H, Ht);
-  multiply(Ht, H, G);
-  for (int i = 0; i < 9; i++) G[i] = (i % 4 == 0 ? sum : K(0.0)) - G[i];
-  multiply(H, G, R);
-  real scale = K(1.0) / divisor;
-  for (int i = 0; i < 9; i++) R[i] = scale * (R[i] + lambda * C[i]);
-  best->q = quaternion_of(R);
+/* det A = (s1 + s2)(s1 + s3)(s2 + s3), and |A^-1|^2 from the other two invariants of A. False where the determinant is
+ * nothing but rounding. */
+static int set_trace(const cloud *c, real lambda, real a, real det, real HH, best_rotation *best) {
+  real det_A = K(0.5) * a * lambda - det, second = lambda * lambda + K(0.5) * a;
   best->trace = lambda;
-  return 1;
+  best->a = a;
+  best->curvature = K(1.0) / det_A;
+  best->condition = c->N * SQRT(second * second - K(4.0) * lambda * det_A) * best->curvature;
+  return det_A > K(8.0) * EPS * HH * SQRT(HH);
 }
 
-/* Newton's step on the rotations: the gradient of trace(R^T H) is the vector of the skew-symmetric part of S = R^T H.
- * False where R is no maximum. `moved` is whether the step was more than its own error and needs another one. */
-static int improve(const cloud *c, best_rotation *best, int *moved) {
+/* lambda = s1 + s2 + s3, the largest trace(R^T H), s3 negative where H is a reflection, is the largest root of
+ * p = a^2 - 8 det(H) lambda - 4 |cof H|^2 with a = lambda^2 - |H|^2 = 2 (s1 s2 + s1 s3 + s2 s3); all terms are small where
+ * s2 and s3 are, so that a is carried along. Newton's iteration descends from above; what it starts from is nearly the
+ * root where the points are nearly rigid. The slope is 8 det A. */
+static int largest_trace(const cloud *c, real det, real HH, real CC, best_rotation *best) {
+  real lambda = K(0.5) * (c->squares[0] + c->squares[1]), a = lambda * lambda - HH;
+  if (a > 0 && !(a * a < K(12.0) * CC)) {
+    a = SQRT(K(12.0) * CC);
+    lambda = SQRT(HH + a);
+  }
+  for (int i = 0; i < 24; i++) {
+    real slope = K(0.5) * a * lambda - det, p = (a * a - K(4.0) * CC) - K(8.0) * det * lambda;
+    if (!(slope > 0)) return 0;
+    real step = K(0.125) * p / slope;
+    a -= step * (K(2.0) * lambda - step);
+    lambda -= step;
+    if (!(ABS(step) * (lambda * lambda) > SQRT(EPS) * slope && ABS(p) > K(4.0) * EPS * (a * a + K(4.0) * CC))) break;
+  }
+  return set_trace(c, lambda, a, det, HH, best);
+}
+
+/* R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / det A (Markley 1993), which has rounding errors of its own. */
+static void first_guess(const cloud *c, const real C[9], real HH, best_rotation *best) {
+  const real *H = c->H;
+  real R[9], sum = K(0.5) * best->a + HH;
+  transpose(H, R);
+  multiply(R, H, R);
+  for (int i = 0; i < 9; i++) R[i] = (i % 4 == 0 ? sum : K(0.0)) - R[i];
+  multiply(H, R, R);
+  for (int i = 0; i < 9; i++) R[i] = best->curvature * (R[i] + best->trace * C[i]);
+  best->q = quaternion_of(R);
+}
+
+/* u = A^-1 g times det A, from (H^T H + a/2 I) g. */
+static void times_inverse(const real H[9], const best_rotation *best, const real g[3], real u[3]) {
+  real Hg[3], rest = K(0.5) * best->a;
+  rotate(H, g, Hg);
+  rotate_back(H, Hg, u);
+  for (int i = 0; i < 3; i++) u[i] = best->curvature * (u[i] + rest * g[i]);
+}
+
+/* Newton's step on the rotations. trace(R^T H) is q.(K q) / q.q with Davenport's K; its gradient is the vector part of
+ * q^* (K q) times 1 / q.q, the skew-symmetric part of S. Returns whether the step was more than its own error and needs
+ * another one, and the trace behind it. */
+static int improve(const cloud *c, best_rotation *best, real *trace) {
   quaternion *q = &best->q;
-  real R[9], Rt[9], S[9], A[9], C[9], w[3], vxw[3];
-  rotation_from_quaternion(q, dot(q->v, q->v) + q->w * q->w, R);
-  transpose(R, Rt);
-  multiply(Rt, c->H, S);
-  const real gradient[3] = {S[7] - S[5], S[2] - S[6], S[3] - S[1]};
-  real trace = S[0] + S[4] + S[8];
-  if (trace > best->trace) best->trace = trace;
-  for (int i = 0; i < 3; i++) A[4 * i] = best->trace - S[4 * i];
-  A[1] = A[3] = K(-0.5) * (S[1] + S[3]);
-  A[2] = A[6] = K(-0.5) * (S[2] + S[6]);
-  A[5] = A[7] = K(-0.5) * (S[5] + S[7]);
-  cross(A + 3, A + 6, C);
-  cross(A + 6, A, C + 3);
-  cross(A, A + 3, C + 6);
-  real det = dot(A, C);
-  if (!(A[0] > 0 && C[8] > 0 && det > 0)) return 0;
-  real scale = K(1.0) / det;
-  for (int i = 0; i < 9; i++) best->inverse[i] = scale * C[i];
-  best->condition = c->N * SQRT(square_of(best->inverse));
-  rotate(best->inverse, gradient, w);
-  cross(q->v, w, vxw);
-  real along = dot(q->v, w), error = K(4.0) * EPS * best->condition;
-  for (int i = 0; i < 3; i++) q->v[i] += K(0.5) * (q->w * w[i] + vxw[i]);
+  const real *H = c->H, *v = q->v;
+  real sum = H[0] + H[4] + H[8], zx = H[7] - H[5], zy = H[2] - H[6], zz = H[3] - H[1], w = q->w;
+  real xy = H[1] + H[3], xz = H[2] + H[6], yz = H[5] + H[7];
+  real ux = (((H[0] - H[4]) - H[8]) * v[0] + (xy * v[1] + xz * v[2])) + w * zx;
+  real uy = (((H[4] - H[0]) - H[8]) * v[1] + (xy * v[0] + yz * v[2])) + w * zy;
+  real uz = (((H[8] - H[0]) - H[4]) * v[2] + (xz * v[0] + yz * v[1])) + w * zz;
+  real uw = (zx * v[0] + (zy * v[1] + zz * v[2])) + sum * w, nn = dot(v, v) + w * w, share = K(1.0) / nn;
+  const real u[3] = {ux, uy, uz};
+  real g[3], turn[3], vxw[3];
+  cross(u, v, g);
+  for (int i = 0; i < 3; i++) g[i] = share * (g[i] + (w * u[i] - uw * v[i]));
+  times_inverse(H, best, g, turn);
+  *trace = share * (dot(u, v) + w * uw) + K(0.5) * dot(g, turn);
+  cross(v, turn, vxw);
+  real along = dot(v, turn), error = K(4.0) * EPS * best->condition, turned = dot(turn, turn);
+  for (int i = 0; i < 3; i++) q->v[i] += K(0.5) * (w * turn[i] + vxw[i]);
   q->w -= K(0.5) * along;
   if (q->w < 0) negate(q);
-  real turned = dot(w, w);
-  *moved = turned > EPS / K(16.0) && turned > error * error;
-  if (!*moved && best->trace - trace > K(4.0) * EPS * c->N) {
-    best->trace = trace; /* lambda was not so large */
-    *moved = 1;
-  }
-  return 1;
+  return turned > EPS / K(16.0) && turned > error * error;
 }
 
 /* C = cof(H), with its digits also where H is nearly singular, and its square, |H|^2 being HH. */
@@ -362,12 +335,19 @@ static int rotate_best(const motion_sums *s, const cloud *c, best_rotation *best
   real least = K(8.0) * EPS + coarse[0] * coarse[1];
   HH = square_of(c->H);
   CC = cofactors_of(c->H, HH, C);
+  least *= c->N;
   if (HH <= least * least) return CHS_ERR_SINGULAR;
   if (CC <= HH * (least * least)) return CHS_ERR_COLLINEAR;
-  if (!first_guess(c, C, HH, CC, best)) return CHS_ERR_SINGULAR;
+  real det = dot(c->H, C), trace;
+  if (!largest_trace(c, det, HH, CC, best)) return CHS_ERR_SINGULAR;
+  first_guess(c, C, HH, best);
   int moved = 1;
-  for (int i = 0; i < 8 && moved; i++)
-    if (!improve(c, best, &moved)) return CHS_ERR_SINGULAR;
+  for (int i = 0; i < 8 && moved; i++) {
+    moved = improve(c, best, &trace);
+    if (moved || ABS(best->trace - trace) <= K(8.0) * EPS * c->N) continue;
+    if (!set_trace(c, trace, trace * trace - HH, det, HH, best)) return CHS_ERR_SINGULAR; /* it was no such root */
+    moved = 1;
+  }
   return !moved && best->condition * (K(8.0) * EPS) < 1 ? CHS_OK : CHS_ERR_SINGULAR;
 }
 
@@ -564,6 +544,14 @@ static void slopes_by_shift(const screw_slopes *s, const real shift[3], real slo
   slope[7] = 0;
 }
 
+/* A^-1 */
+static void inverse_of(const cloud *c, const best_rotation *best, real inverse[9]) {
+  real Ht[9];
+  transpose(c->H, Ht);
+  multiply(Ht, c->H, inverse);
+  for (int i = 0; i < 9; i++) inverse[i] = best->curvature * (i % 4 == 0 ? inverse[i] + K(0.5) * best->a : inverse[i]);
+}
+
 static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /* turn and shift: the variances of the rotation, times the inverse curvature, and of a centroid's component. */
@@ -585,7 +573,7 @@ static APART void pose_covariance(const cloud *c, const real R[9], const real in
 }
 
 static APART void screw_covariance(const cloud *c, const best_rotation *best, const real e[3], const real R[9],
-                                   real turn, real shift, real C[64]) {
+                                   const real inverse[9], real turn, real shift, real C[64]) {
   real vv = dot(best->q.v, best->q.v), w = best->q.w > 0 ? best->q.w : K(0.0), by_turn[24], by_shift[24], slope[8];
   screw_slopes s = {e, {0}, {0}, w / SQRT(vv), (vv + w * w) / vv};
   copy(c->travel, 3, s.travel);
@@ -598,7 +586,7 @@ static APART void screw_covariance(const cloud *c, const best_rotation *best, co
     for (int i = 0; i < 8; i++) by_shift[3 * i + j] = slope[i];
   }
   for (int i = 0; i < 64; i++) C[i] = 0;
-  spread(8, by_turn, best->inverse, turn, C);
+  spread(8, by_turn, inverse, turn, C);
   spread(8, by_shift, identity, shift, C);
 }
 
@@ -606,7 +594,7 @@ int FN(chs_motion_finish_covariance)(const motion_sums *sums, real sigma, real p
   cloud c;
   best_rotation best;
   screw s;
-  real T[16], R[9], p[3], C6[36], C8[64] = {0};
+  real T[16], R[9], p[3], inverse[9], C6[36], C8[64] = {0};
   if (!(sigma >= 0 && sigma <= REAL_MAX)) return CHS_ERR_ARGUMENT;
   int status = solve(sums, &c, &best);
   if (status == CHS_OK) status = displace(&c, &best, &s, T);
@@ -615,8 +603,9 @@ int FN(chs_motion_finish_covariance)(const motion_sums *sums, real sigma, real p
   if (of_screw && !turns) return CHS_ERR_SINGULAR;
   part(T, R, p);
   real scaled = sums->scale * sigma, turn = scaled * scaled * c.reduce, shift = sigma * (sigma / total(sums, WEIGHT));
-  pose_covariance(&c, R, best.inverse, turn, shift, C6);
-  if (of_screw) screw_covariance(&c, &best, s.axis, R, turn, shift, C8);
+  inverse_of(&c, &best, inverse);
+  pose_covariance(&c, R, inverse, turn, shift, C6);
+  if (of_screw) screw_covariance(&c, &best, s.axis, R, inverse, turn, shift, C8);
   if (!all_finite(C6, 36) || !all_finite(C8, 64)) return CHS_ERR_OVERFLOW;
   if (pose) copy(C6, 36, pose);
   if (of_screw) copy(C8, 64, of_screw);

@@ -20,7 +20,7 @@
 
 /* a*b + c is two roundings, never one. gcc does not know the standard pragma and contracts unless told so here; and its
  * vectoriser of straight-line code (seen in gcc 12) makes fused a*b -+ c of neighbouring results all the same, so that
- * only a source without differences may have it: one that defines SUMS_ALONE. */
+ * only a source without differences of products may have it: one that defines SUMS_ALONE. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(SUMS_ALONE)
 #pragma GCC optimize("fp-contract=off")
 #elif defined(__GNUC__) && !defined(__clang__)
@@ -85,6 +85,15 @@
 #define OVER_ROW _Pragma("GCC unroll 2")
 #else
 #define OVER_ROW _Pragma("GCC unroll 4")
+#endif
+
+/* In front of a loop over two numbers that shall be a vector where there are vectors, and else two statements. */
+#if !defined(__GNUC__) || defined(__clang__) || __GNUC__ < 8
+#define OVER_PAIR
+#elif (defined(__SSE2__) || defined(__ARM_NEON)) && !defined(__OPTIMIZE_SIZE__)
+#define OVER_PAIR _Pragma("GCC unroll 1")
+#else
+#define OVER_PAIR _Pragma("GCC unroll 2")
 #endif
 
 #ifdef CHS_SINGLE

@@ -1,0 +1,2 @@
+#define CHS_SINGLE
+#include "motion_sums.c"
