@@ -270,16 +270,24 @@ static int largest_trace(const cloud *c, real det, real HH, real CC, best_rotati
   return set_trace(c, lambda, a, det, HH, best);
 }
 
-/* R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / det A (Markley 1993), which has rounding errors of its own. */
-static void first_guess(const cloud *c, const real C[9], real HH, best_rotation *best) {
-  const real *H = c->H;
-  real R[9], sum = K(0.5) * best->a + HH;
-  transpose(H, R);
-  multiply(R, H, R);
-  for (int i = 0; i < 9; i++) R[i] = (i % 4 == 0 ? sum : K(0.0)) - R[i];
-  multiply(H, R, R);
-  for (int i = 0; i < 9; i++) R[i] = best->curvature * (R[i] + best->trace * C[i]);
-  best->q = quaternion_of(R);
+/* G = H^T H + diagonal I */
+static void gram(const real H[9], real diagonal, real G[9]) {
+  for (int j = 0; j < 3; j++)
+    for (int k = j; k < 3; k++)
+      G[3 * j + k] = G[3 * k + j] =
+          H[j] * H[k] + H[3 + j] * H[3 + k] + H[6 + j] * H[6 + k] + (j == k ? diagonal : K(0.0));
+}
+
+/* R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / det A (Markley 1993), which has rounding errors of its own; C is
+ * cof(H) before and R after. */
+static void first_guess(const cloud *c, real HH, real C[9], best_rotation *best) {
+  real G[9], row[3];
+  gram(c->H, -(K(0.5) * best->a + HH), G);
+  for (int i = 0; i < 9; i += 3) {
+    rotate_back(G, c->H + i, row);
+    for (int j = 0; j < 3; j++) C[i + j] = best->curvature * (best->trace * C[i + j] - row[j]);
+  }
+  best->q = quaternion_of(C);
 }
 
 /* u = A^-1 g times det A, from (H^T H + a/2 I) g. */
@@ -340,7 +348,7 @@ static int rotate_best(const motion_sums *s, const cloud *c, best_rotation *best
   if (CC <= HH * (least * least)) return CHS_ERR_COLLINEAR;
   real det = dot(c->H, C), trace;
   if (!largest_trace(c, det, HH, CC, best)) return CHS_ERR_SINGULAR;
-  first_guess(c, C, HH, best);
+  first_guess(c, HH, C, best);
   int moved = 1;
   for (int i = 0; i < 8 && moved; i++) {
     moved = improve(c, best, &trace);
@@ -504,16 +512,25 @@ int FN(chs_motion_fit)(size_t n, const real *initial, const real *final, const r
   return status == CHS_OK ? conclude(&s, &all, missing, tolerance, out, T, quality) : status;
 }
 
-/* C += factor J P J^T for J of n rows of three, P symmetric. */
-static void spread(int n, const real *J, const real P[9], real factor, real *C) {
+/* C = J P J^T for J of n rows of three, P symmetric, plus block (I - e e^T) in rows and columns 3 to 5 and `seventh` in row
+ * and column 6. C may be NULL: the result is the trace of the first three rows, and no number where C is not finite. */
+static real spread(int n, const real *J, const real P[9], const real e[3], real block, real seventh, real *C) {
+  real trace = 0;
   for (int i = 0; i < n; i++) {
     real row[3];
     rotate_back(P, J + 3 * i, row);
-    for (int j = 0; j < n; j++) C[n * i + j] += factor * dot(row, J + 3 * j);
+    for (int j = 0; j < n; j++) {
+      real x = dot(row, J + 3 * j);
+      if (i / 3 == 1 && j / 3 == 1) x += block * ((i == j ? K(1.0) : K(0.0)) - e[i - 3] * e[j - 3]);
+      if (i == 6 && j == 6) x += seventh;
+      trace += i == j && i < 3 ? x : K(0.0) * x;
+      if (C) C[n * i + j] = x;
+    }
   }
+  return trace;
 }
 
-/* How errors move the screw: those of the rotation, a small turn w in the final frame, and those of the centroid. */
+/* How a small turn w of the rotation in the final frame moves the screw. */
 typedef struct screw_slopes {
   const real *e;
   real middle[3], travel[3];
@@ -533,83 +550,74 @@ static void slopes_by_turn(const screw_slopes *s, const real w[3], real slope[8]
   slope[7] = along;
 }
 
-static void slopes_by_shift(const screw_slopes *s, const real shift[3], real slope[8]) {
-  real exd[3], along = dot(s->e, shift);
-  cross(s->e, shift, exd);
-  for (int i = 0; i < 3; i++) {
-    slope[i] = 0;
-    slope[3 + i] = K(0.5) * ((shift[i] - along * s->e[i]) + s->cotangent * exd[i]);
-  }
-  slope[6] = along;
-  slope[7] = 0;
-}
+/* What the covariances are made of: the variance of the rotation in the initial frame, R, the axis where there is one, and
+ * the variance of a centroid's component. */
+typedef struct uncertainty {
+  real P[9], R[9], e[3], shift;
+} uncertainty;
 
-/* A^-1 */
-static void inverse_of(const cloud *c, const best_rotation *best, real inverse[9]) {
-  real Ht[9];
-  transpose(c->H, Ht);
-  multiply(Ht, c->H, inverse);
-  for (int i = 0; i < 9; i++) inverse[i] = best->curvature * (i % 4 == 0 ? inverse[i] + K(0.5) * best->a : inverse[i]);
-}
-
-static const real identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-/* turn and shift: the variances of the rotation, times the inverse curvature, and of a centroid's component. */
-static APART void pose_covariance(const cloud *c, const real R[9], const real inverse[9], real turn, real shift,
-                                  real C[36]) {
+/* The covariance of the pose; as spread. */
+static APART real pose_covariance(const cloud *c, const uncertainty *u, real *C) {
+  const real none[3] = {0};
   real J[18], arm[3], column[3];
-  rotate(R, c->center, arm);
+  rotate(u->R, c->center, arm);
   for (int j = 0; j < 3; j++) {
-    const real w[3] = {R[j], R[3 + j], R[6 + j]};
+    const real w[3] = {u->R[j], u->R[3 + j], u->R[6 + j]};
     cross(arm, w, column);
     for (int i = 0; i < 3; i++) {
       J[3 * i + j] = w[i];
       J[9 + 3 * i + j] = column[i];
     }
   }
-  for (int i = 0; i < 36; i++) C[i] = 0;
-  spread(6, J, inverse, turn, C);
-  for (int i = 3; i < 6; i++) C[7 * i] += shift;
+  return spread(6, J, u->P, none, u->shift, 0, C);
 }
 
-static APART void screw_covariance(const cloud *c, const best_rotation *best, const real e[3], const real R[9],
-                                   const real inverse[9], real turn, real shift, real C[64]) {
-  real vv = dot(best->q.v, best->q.v), w = best->q.w > 0 ? best->q.w : K(0.0), by_turn[24], by_shift[24], slope[8];
-  screw_slopes s = {e, {0}, {0}, w / SQRT(vv), (vv + w * w) / vv};
+/* That of the screw. A shift d of the centroid moves the point by 1/2 ((I - e e^T) + cot(theta/2) [e]) d and the
+ * translation by e.d. */
+static APART real screw_covariance(const cloud *c, const quaternion *q, const uncertainty *u, real *C) {
+  real vv = dot(q->v, q->v), w = q->w > 0 ? q->w : K(0.0), J[24], slope[8];
+  screw_slopes s = {u->e, {0}, {0}, w / SQRT(vv), (vv + w * w) / vv};
   copy(c->travel, 3, s.travel);
   for (int i = 0; i < 3; i++) s.middle[i] = c->center[i] + K(0.5) * c->travel[i];
   for (int j = 0; j < 3; j++) {
-    const real axis[3] = {R[j], R[3 + j], R[6 + j]};
+    const real axis[3] = {u->R[j], u->R[3 + j], u->R[6 + j]};
     slopes_by_turn(&s, axis, slope);
-    for (int i = 0; i < 8; i++) by_turn[3 * i + j] = slope[i];
-    slopes_by_shift(&s, identity + 3 * j, slope);
-    for (int i = 0; i < 8; i++) by_shift[3 * i + j] = slope[i];
+    for (int i = 0; i < 8; i++) J[3 * i + j] = slope[i];
   }
-  for (int i = 0; i < 64; i++) C[i] = 0;
-  spread(8, by_turn, inverse, turn, C);
-  spread(8, by_shift, identity, shift, C);
+  return spread(8, J, u->P, u->e, K(0.25) * u->shift * s.inverse_square, u->shift, C);
+}
+
+/* A pure translation has no axis. */
+static void read_uncertainty(const motion_sums *s, const cloud *c, best_rotation *best, int turns, real sigma,
+                             uncertainty *u) {
+  quaternion *q = &best->q;
+  real scaled = s->scale * sigma, turn = scaled * scaled * c->reduce * best->curvature;
+  for (int i = 0; i < 3 && !turns; i++) q->v[i] = 0;
+  real vv = dot(q->v, q->v), n = SQRT(vv);
+  rotation_from_quaternion(q, vv + q->w * q->w, u->R);
+  for (int i = 0; i < 3; i++) u->e[i] = turns ? q->v[i] / n : K(0.0);
+  gram(c->H, K(0.5) * best->a, u->P);
+  for (int i = 0; i < 9; i++) u->P[i] *= turn;
+  u->shift = sigma * (sigma / total(s, WEIGHT));
 }
 
 int FN(chs_motion_finish_covariance)(const motion_sums *sums, real sigma, real pose[36], real of_screw[64]) {
   cloud c;
   best_rotation best;
-  screw s;
-  real T[16], R[9], p[3], inverse[9], C6[36], C8[64] = {0};
+  uncertainty u;
   if (!(sigma >= 0 && sigma <= REAL_MAX)) return CHS_ERR_ARGUMENT;
   int status = solve(sums, &c, &best);
-  if (status == CHS_OK) status = displace(&c, &best, &s, T);
+  if (status == CHS_OK) status = displace(&c, &best, NULL, NULL);
   if (status < 0) return status;
   int turns = status != CHS_PURE_TRANSLATION && status != CHS_NO_MOTION;
   if (of_screw && !turns) return CHS_ERR_SINGULAR;
-  part(T, R, p);
-  real scaled = sums->scale * sigma, turn = scaled * scaled * c.reduce, shift = sigma * (sigma / total(sums, WEIGHT));
-  inverse_of(&c, &best, inverse);
-  pose_covariance(&c, R, inverse, turn, shift, C6);
-  if (of_screw) screw_covariance(&c, &best, s.axis, R, inverse, turn, shift, C8);
-  if (!all_finite(C6, 36) || !all_finite(C8, 64)) return CHS_ERR_OVERFLOW;
-  if (pose) copy(C6, 36, pose);
-  if (of_screw) copy(C8, 64, of_screw);
-  if (C8[0] + C8[9] + C8[18] > K(0.01) || C6[0] + C6[7] + C6[14] > K(0.01)) return CHS_ILL_CONDITIONED;
+  read_uncertainty(sums, &c, &best, turns, sigma, &u);
+  real of_rotation = pose_covariance(&c, &u, NULL),
+       of_axis = of_screw ? screw_covariance(&c, &best.q, &u, NULL) : K(0.0);
+  if (!is_finite(of_rotation) || !is_finite(of_axis)) return CHS_ERR_OVERFLOW;
+  if (pose) pose_covariance(&c, &u, pose);
+  if (of_screw) screw_covariance(&c, &best.q, &u, of_screw);
+  if (of_axis > K(0.01) || of_rotation > K(0.01)) return CHS_ILL_CONDITIONED;
   return with_missing(sums, status);
 }
 
