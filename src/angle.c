@@ -95,11 +95,13 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
   }
   real rr;
   half_angle h = half_angle_of_remainder(a, &rr);
-  real cc = h.c * h.c, ss = cc < K(0.5) ? K(1.0) - cc : h.ss * rr;
+  real cc = h.c * h.c;
+  const real sine_squared[2] = {h.ss * rr, K(1.0) - cc}; /* no case, which would be mispredicted */
   half->s = h.s * ((a.high + a.low) / theta);
   half->c = h.c;
-  half->ss = ss / tt;
-  half->cubic = (K(1.0) - half->s * h.c) / tt;
+  half->a = half->s * h.c;
+  half->ss = sine_squared[cc < K(0.5)] / tt;
+  half->cubic = (K(1.0) - half->a) / tt;
   half->tt = tt;
   return CHS_OK;
 }

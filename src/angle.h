@@ -55,23 +55,25 @@ typedef struct half_angle {
   real s;     /* sin(theta/2) / (theta/2) */
   real c;     /* cos(theta/2) */
   real ss;    /* s^2 / 4 */
+  real a;     /* s c = sin(theta) / theta */
   real cubic; /* (theta - sin(theta)) / theta^3 */
   real tt;    /* theta^2 */
 } half_angle;
 
 /* From theta^2 up to a little above pi^2. With 13/128 near the slope of c where the rounding of t counts most, c = 1 -
- * 13/128 t + t q, s = 1/4 + 3/8 (1 + c) + t p, and ss = (13/128 - q) (1 + c), which is (1 - c) (1 + c) / t. What is
- * made of the head is exact and the rest is small, so that hardly more than the last rounding of each is lost. */
+ * 13/128 t + t q and ss = g (1 + c) with g = 13/128 - q = (1 - c) / t. What is made of the head is exact and the rest is
+ * small, so that hardly more than the last rounding of each is lost. s = 1 + t p counts less, the more so near pi. */
 SHARED half_angle half_angle_within_pi(split_square square) {
   half_angle half;
   real t = square.t, high = CHS_HIGH(t);
-  real q = CHS_COSINE_LOW(t) + high * CHS_COSINE_HIGH(t);
+  real q = CHS_COSINE_LOW(t) + high * CHS_COSINE_HIGH(t), p = CHS_SINC_LOW(t) + high * CHS_SINC_HIGH(t);
   real head = K(1.0) - K(0.1015625) * square.head, rest = t * q - K(0.1015625) * square.rest, more = K(1.0) + head;
+  real tp = t * p, g = K(0.1015625) - q;
   half.c = head + rest;
-  half.ss = K(0.1015625) * more + (K(0.1015625) * rest - q * (more + rest));
-  real p = CHS_SINC_LOW(t) + high * CHS_SINC_HIGH(t), g = K(0.1015625) - q;
-  half.s = (K(0.25) + K(0.375) * more) + (t * p + K(0.375) * rest);
-  half.cubic = g + (K(0.375) * g - p) * half.c; /* (1 - s c) / t, (1 - c) / t and (1 - s) / t */
+  half.s = K(1.0) + tp;
+  half.a = half.c + half.c * tp; /* s c, but s not rounded */
+  half.ss = K(0.1015625) * more + (g * rest - q * more);
+  half.cubic = g - p * half.c; /* (1 - s c) / t from (1 - c) / t and (1 - s) / t */
   half.tt = t;
   return half;
 }
@@ -94,7 +96,7 @@ SHARED int half_angle_of(const real w[3], half_angle *half) {
 }
 
 /* sin(theta)/theta, (1 - cos(theta))/theta^2, (theta - sin(theta))/theta^3 and (theta/2) cot(theta/2). */
-SHARED real sine_ratio(half_angle h) { return h.c * h.s; }
+SHARED real sine_ratio(half_angle h) { return h.a; }
 SHARED real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
 SHARED real cubic_ratio(half_angle h) { return h.cubic; }
 SHARED real half_cotangent(half_angle h) { return h.c / h.s; }

@@ -10,14 +10,14 @@
 #define CHS_POWER_8(x) (CHS_POWER_4(x) * CHS_POWER_4(x))
 #ifndef CHS_SINGLE
 #define CHS_HIGH(x) CHS_POWER_4(x)
-/* sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t = t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
-   on [0, 9.8795], absolute error 0.0061 eps */
+/* sin(x/2) / (x/2) at x = sqrt t = 1 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], absolute error 0.001 eps */
 #define CHS_SINC_LOW(t) \
-  ((0x1.5555555555545p-8 + (t) * -0x1.dddddddddda83p-12) + \
-   CHS_POWER_2(t) * (0x1.52152152060ffp-18 + (t) * -0x1.b737e53d42661p-26))
+  ((-0x1.5555555555555p-5 + (t) * 0x1.11111111110cbp-11) + \
+   CHS_POWER_2(t) * (-0x1.a01a01a015163p-19 + (t) * 0x1.71de3a52c030bp-27))
 #define CHS_SINC_HIGH(t) \
-  ((0x1.503e611e47245p-34 + (t) * -0x1.561a61ca5c605p-43) + \
-   CHS_POWER_2(t) * (0x1.f169771540d49p-53 + (t) * -0x1.0664b5057a59ap-62))
+  ((-0x1.ae6454e3f92a7p-36 + (t) * 0x1.6123d11459589p-45) + \
+   CHS_POWER_2(t) * (-0x1.ae449777fd908p-55 + (t) * 0x1.884fd63aca799p-65))
 /* cos(x/2) at x = sqrt t = 1 - 13 t/128 + t P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
    on [0, 9.8795], absolute error 0.026 eps */
 #define CHS_COSINE_LOW(t) \
@@ -97,13 +97,12 @@
 #define CHS_PI_REST 0x1.aa22168c234c5p-18
 #else
 #define CHS_HIGH(x) CHS_POWER_2(x)
-/* sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t = t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
-   on [0, 9.8795], absolute error 0.00064 eps */
+/* sin(x/2) / (x/2) at x = sqrt t = 1 + t P, P = CHS_SINC_LOW + CHS_HIGH CHS_SINC_HIGH
+   on [0, 9.8795], absolute error 0.047 eps */
 #define CHS_SINC_LOW(t) \
-  (0x1.555554p-8F + (t) * -0x1.ddddbep-12F)
+  (-0x1.55554cp-5F + (t) * 0x1.110ed4p-11F)
 #define CHS_SINC_HIGH(t) \
-  ((0x1.521156p-18F + (t) * -0x1.b66f26p-26F) + \
-   CHS_POWER_2(t) * 0x1.3d65e4p-34F)
+  (-0x1.9f6ed2p-19F + (t) * 0x1.5d9ebep-27F)
 /* cos(x/2) at x = sqrt t = 1 - 13 t/128 + t P, P = CHS_COSINE_LOW + CHS_HIGH CHS_COSINE_HIGH
    on [0, 9.8795], absolute error 0.0036 eps */
 #define CHS_COSINE_LOW(t) \

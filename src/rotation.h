@@ -19,6 +19,10 @@
 #define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
 #define rotation_from_half_angle(...) FN(chs_p_rotation_from_half_angle)(__VA_ARGS__)
 #define jacobian_times(...) FN(chs_p_jacobian_times)(__VA_ARGS__)
+#define jacobian_diagonal(...) FN(chs_p_jacobian_diagonal)(__VA_ARGS__)
+#define jacobian_of_ratios(...) FN(chs_p_jacobian_of_ratios)(__VA_ARGS__)
+#define jacobian_from(...) FN(chs_p_jacobian_from)(__VA_ARGS__)
+#define inverse_jacobian_from(...) FN(chs_p_inverse_jacobian_from)(__VA_ARGS__)
 #define cotangent_ratio(...) FN(chs_p_cotangent_ratio)(__VA_ARGS__)
 #define rotation_from_quaternion(...) FN(chs_p_rotation_from_quaternion)(__VA_ARGS__)
 #define multiple_near(...) FN(chs_p_multiple_near)(__VA_ARGS__)
@@ -142,14 +146,12 @@ SHARED quaternion quaternion_of(const real R[9]) {
  * is cc + ss (w_x^2 - w_y^2 - w_z^2) and so on, which is half as sensitive to the error of ss as the usual forms. R may
  * be w: all of w is read before R is written. */
 SHARED void rotation_from(const real w[3], real a, real ss, real cc, real R[9]) {
-  real xx = ss * (w[0] * w[0]), yy = ss * (w[1] * w[1]), zz = ss * (w[2] * w[2]);
-  real b = ss + ss, bx = b * w[0], by = b * w[1];
-  real xy = bx * w[1], xz = bx * w[2], yz = by * w[2];
-  real ax = a * w[0], ay = a * w[1], az = a * w[2];
-  real common = cc - zz, difference = xx - yy;
+  real xx = w[0] * w[0], yy = w[1] * w[1], zz = ss * (w[2] * w[2]), sum = ss * (xx + yy), difference = ss * (xx - yy);
+  real x = w[0] + w[0], xy = ss * (x * w[1]), xz = ss * (x * w[2]), yz = ss * ((w[1] + w[1]) * w[2]);
+  real ax = a * w[0], ay = a * w[1], az = a * w[2], common = cc - zz;
   R[0] = common + difference;
   R[4] = common - difference;
-  R[8] = (cc + zz) - (xx + yy);
+  R[8] = (cc + zz) - sum;
   R[1] = xy - az;
   R[3] = xy + az;
   R[2] = xz + ay;
@@ -169,6 +171,47 @@ SHARED void jacobian_times(const real w[3], half_angle h, const real v[3], real 
   p[0] = a * v[0] + (b * wxv[0] + c * w[0]);
   p[1] = a * v[1] + (b * wxv[1] + c * w[1]);
   p[2] = a * v[2] + (b * wxv[2] + c * w[2]);
+}
+
+/* An entry on the diagonal of what follows: the smaller share of c |w|^2 is added to a or taken from 1. By factors of 0
+ * and 1, since a case would be mispredicted. */
+SHARED real jacobian_diagonal(real a, real c, real own, real others) {
+  static const real factors[2] = {0, 1};
+  real less = factors[own < others], more = factors[!(own < others)];
+  return (less * a + more) + c * (less * own - more * others);
+}
+
+/* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. J may be w: all of w is read
+ * before J is written. */
+SHARED void jacobian_of_ratios(const real w[3], real a, real b, real c, real J[9]) {
+  real xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
+  real xy = c * (w[0] * w[1]), xz = c * (w[0] * w[2]), yz = c * (w[1] * w[2]);
+  real bx = b * w[0], by = b * w[1], bz = b * w[2];
+  J[0] = jacobian_diagonal(a, c, xx, yy + zz);
+  J[4] = jacobian_diagonal(a, c, yy, xx + zz);
+  J[8] = jacobian_diagonal(a, c, zz, xx + yy);
+  J[1] = xy - bz;
+  J[3] = xy + bz;
+  J[2] = xz + by;
+  J[6] = xz - by;
+  J[5] = yz - bx;
+  J[7] = yz + bx;
+}
+
+/* J_l(w), or with side = -1 J_r(w). */
+SHARED void jacobian_from(const real w[3], half_angle h, real side, real J[9]) {
+  jacobian_of_ratios(w, sine_ratio(h), side * cosine_ratio(h), cubic_ratio(h), J);
+}
+
+/* The inverse of that, and CHS_OK or CHS_ERR_SINGULAR. */
+SHARED int inverse_jacobian_from(const real w[3], half_angle h, real side, real J[9]) {
+  /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
+  if (ABS(h.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
+  real k = half_cotangent(h);
+  /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - (theta - sin(theta))/theta^3) / (2 s c). */
+  real d = h.tt < 1 ? (h.ss - cubic_ratio(h)) / sine_ratio(h) : (K(1.0) - k) / h.tt;
+  jacobian_of_ratios(w, k, side * K(-0.5), d, J);
+  return CHS_OK;
 }
 
 /* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */

@@ -7,7 +7,7 @@
 static INLINE int exp_from_half_angle(const real V[6], half_angle half, real T[16]) {
   real R[9], p[3];
   jacobian_times(V, half, V + 3, p);
-  if (!all_finite(p, 3)) return why_not_finite(V, 6);
+  if (!is_finite(p[0] + p[1] + p[2]) && !all_finite(p, 3)) return why_not_finite(V, 6);
   rotation_from_half_angle(V, half, R);
   join(R, p, T);
   return CHS_OK;

@@ -204,17 +204,15 @@ static void inverse_coupling(const real w[3], const real v[3], real side, half_a
 static int jacobian(const real V[6], int inverse, real side, real J[36]) {
   real block[9], Q[9];
   half_angle half;
-  int left = side > 0, status;
-  if (inverse)
-    status = left ? FN(chs_so3_left_jacobian_inverse)(V, block) : FN(chs_so3_right_jacobian_inverse)(V, block);
-  else
-    status = left ? FN(chs_so3_left_jacobian)(V, block) : FN(chs_so3_right_jacobian)(V, block);
-  if (status == CHS_OK) status = half_angle_of(V, &half);
+  int status = half_angle_of(V, &half);
+  if (status == CHS_OK && inverse) status = inverse_jacobian_from(V, half, side, block);
   if (status != CHS_OK) return finiteness(V, 6) == CHS_OK ? status : finiteness(V, 6);
   if (inverse)
     inverse_coupling(V, V + 3, side, half, Q);
-  else
+  else {
+    jacobian_from(V, half, side, block);
     coupling(V, V + 3, side, half, Q);
+  }
   if (!all_finite(Q, 9)) return why_not_finite(V, 6);
   put_blocks(block, Q, J);
   return CHS_OK;

@@ -35,43 +35,17 @@ int FN(chs_so3_log)(const real R[9], real w[3]) {
   return status == CHS_OK ? logarithm(R, w, &k) : status;
 }
 
-/* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. On the diagonal the smaller
- * share of c |w|^2 is added to a or taken from 1. J may be w: all of w is read before J is written. */
-static void jacobian_from(const real w[3], real a, real b, real c, real J[9]) {
-  real cx = c * w[0], cy = c * w[1], cz = c * w[2];
-  real xx = cx * w[0], yy = cy * w[1], zz = cz * w[2];
-  real xy = cx * w[1], xz = cx * w[2], yz = cy * w[2];
-  real bx = b * w[0], by = b * w[1], bz = b * w[2];
-  J[0] = xx < yy + zz ? a + xx : K(1.0) - (yy + zz);
-  J[4] = yy < xx + zz ? a + yy : K(1.0) - (xx + zz);
-  J[8] = zz < xx + yy ? a + zz : K(1.0) - (xx + yy);
-  J[1] = xy - bz;
-  J[3] = xy + bz;
-  J[2] = xz + by;
-  J[6] = xz - by;
-  J[5] = yz - bx;
-  J[7] = yz + bx;
-}
-
 static int jacobian(const real w[3], real side, real J[9]) {
   half_angle half;
   int status = half_angle_of(w, &half);
-  if (status != CHS_OK) return status;
-  jacobian_from(w, sine_ratio(half), side * cosine_ratio(half), cubic_ratio(half), J);
-  return CHS_OK;
+  if (status == CHS_OK) jacobian_from(w, half, side, J);
+  return status;
 }
 
 static int jacobian_inverse(const real w[3], real side, real J[9]) {
   half_angle half;
   int status = half_angle_of(w, &half);
-  if (status != CHS_OK) return status;
-  /* Nearer to a multiple of 2 pi the rounding of w alone decides the result. */
-  if (ABS(half.s) <= K(8.0) * EPS) return CHS_ERR_SINGULAR;
-  real k = half_cotangent(half);
-  /* (1 - k)/theta^2, below 1 rad from terms that do not cancel: (s^2 - (theta - sin(theta))/theta^3) / (2 s c). */
-  real d = half.tt < 1 ? (half.ss - cubic_ratio(half)) / sine_ratio(half) : (K(1.0) - k) / half.tt;
-  jacobian_from(w, k, side * K(-0.5), d, J);
-  return CHS_OK;
+  return status == CHS_OK ? inverse_jacobian_from(w, half, side, J) : status;
 }
 
 int FN(chs_so3_left_jacobian)(const real w[3], real J[9]) { return jacobian(w, K(1.0), J); }

@@ -25,8 +25,8 @@ GRID = 400
 
 
 def half_sinc(t):
-    """sin(x/2) / (x/2) - (5 + 3 cos(x/2)) / 8 at x = sqrt t"""
-    return sin(sqrt(t) / 2) / (sqrt(t) / 2) - (5 + 3 * cos(sqrt(t) / 2)) / 8 if t else mpf(0)
+    """sin(x/2) / (x/2) at x = sqrt t"""
+    return sin(sqrt(t) / 2) / (sqrt(t) / 2) if t else mpf(1)
 
 
 def half_cosine(t):
@@ -80,7 +80,7 @@ def arc_ratio(z):
 
 
 # The angle runs to pi; 1e-3 more leaves room for the rounding of the comparisons that choose the interval. "relative"
-# divides the error by the function, "absolute" does not. A head of -1/64 leaves the least of sin(x/2)/x to the rest.
+# divides the error by the function, "absolute" does not.
 SLACK = mpf("1.001")
 WITHIN_PI = SLACK * pi**2
 WITHIN_QUARTER_PI = SLACK * (pi / 4) ** 2
@@ -88,7 +88,7 @@ HALVES, WHOLE = (4, 2), (0, 0)
 KERNELS = [
     # macro, function and its form (P is the macro), top, weight, head, first order of P, degrees, and how many of P's
     # coefficients make its lower half, the last two in double and float
-    ("SINC", half_sinc, "t P", WITHIN_PI, "absolute", [mpf(0)], 1, (8, 5), HALVES),
+    ("SINC", half_sinc, "1 + t P", WITHIN_PI, "absolute", [mpf(1)], 1, (8, 4), HALVES),
     ("COSINE", half_cosine, "1 - 13 t/128 + t P", WITHIN_PI, "absolute", [mpf(1), mpf(-13) / 128], 1, (8, 5), HALVES),
     ("QUARTER_SINE", sinc, "1 + t P", WITHIN_QUARTER_PI, "relative", [mpf(1)], 1, (6, 3), WHOLE),
     ("QUARTER_COSINE", cosine, "1 - t/2 + t^2 P", WITHIN_QUARTER_PI, "absolute", [mpf(1), mpf(-1) / 2], 2, (7, 4), WHOLE),
