@@ -84,7 +84,8 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
     real g = on_grid(theta);
     a = remainder_near(g, ((head - g * g) + rest) / (theta + g));
   }
-  if (ABS(a.high + a.low) < CLOSE_BY) {
+  /* Also for a theta that is no number. */
+  if (!(ABS(a.high + a.low) >= CLOSE_BY + theta * (CLOSE_BY / K(4096.0)))) {
     real hi, lo, squared;
     remainder_angle far;
     if (!length_far(w, &hi, &lo, &squared)) return why_no_angle(w);
