@@ -39,6 +39,10 @@ run 2 comprae
 err_is "chasles: 'comprae' is not a subcommand; see 'chasles --help'"
 run 2 help comprae
 err_is "chasles: 'comprae' is not a subcommand; see 'chasles --help'"
+run 2 help solve study
+err_is "chasles: help takes no argument 'study'; see 'chasles --help'"
+run 2 --version solve
+err_is "chasles: --version takes no argument 'solve'; see 'chasles --help'"
 run 2 --bogus
 err_is "chasles: unknown option '--bogus'; see 'chasles --help'"
 run 2 compare

@@ -77,7 +77,15 @@ int bad_option(int option, char **argv) {
   return UNUSABLE;
 }
 
+/* Nothing that was typed goes unheard. */
+static bool is_too_many(int argc, char **argv, int most) {
+  if (argc <= most) return false;
+  complain("%s takes no argument '%s'; see 'chasles --help'", argv[0], argv[most]);
+  return true;
+}
+
 static int print_help(int argc, char **argv) {
+  if (is_too_many(argc, argv, 2)) return UNUSABLE;
   const struct command *command = argc > 1 ? find_command(argv[1]) : NULL;
   if (argc > 1 && command == NULL) return unknown_command(argv[1]);
   fputs(command == NULL ? help : command->help, stdout);
@@ -94,6 +102,7 @@ static int run(int argc, char **argv) {
     return print_help(argc - 1, argv + 1);
   }
   if (strcmp(name, "--version") == 0) {
+    if (is_too_many(argc - 1, argv + 1, 1)) return UNUSABLE;
     puts("chasles " CHS_VERSION);
     return ALL_WELL;
   }
