@@ -112,6 +112,12 @@ static void test_compose_and_apply_are_the_single_ones_also_in_place_and_with_on
       for (int i = 0; i < N; i++) FN(chs_se3_apply)(in + i * stride, x + room * i, expected + room * i);
       FN(chs_se3_apply_array)(N, in, (size_t)stride, points, (size_t)room, points, (size_t)room);
       ASSERT_SAME_BITS(expected, points, 4 * N);
+      int other_room = 7 - room; /* strides that differ */
+      fill(points, 4 * N);
+      fill(expected, 4 * N);
+      for (int i = 0; i < N; i++) FN(chs_se3_apply)(in + i * stride, x + room * i, expected + other_room * i);
+      FN(chs_se3_apply_array)(N, in, (size_t)stride, x, (size_t)room, points, (size_t)other_room);
+      ASSERT_SAME_BITS(expected, points, 4 * N);
     }
   }
 }

@@ -268,6 +268,37 @@ static void test_fewer_joints_than_six_do_what_they_can(void) {
   ASSERT_NORM_WITHIN_EPS(expected, rates, 2, 8, 2);
 }
 
+/* Where no joint moves the tool all is 0, and nothing is divided by it. */
+static void test_a_jacobian_of_zeros_moves_nothing(void) {
+  const real J[6 * MOST] = {0}, V[6] = {1, 2, 3, 4, 5, 6}, zeros[MOST] = {0};
+  for (int n = 1; n <= MOST; n++) {
+    real sigma[6], rates[MOST], value;
+    int rank;
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_singular_values)(n, J, 1, scratch, sigma));
+    ASSERT_SAME_BITS(zeros, sigma, 6);
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_rank)(n, J, 1, scratch, &rank));
+    TEST_ASSERT_EQUAL(0, rank);
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_manipulability)(n, J, 1, scratch, &value));
+    TEST_ASSERT_TRUE(value == 0);
+    ASSERT_REFUSES(CHS_ERR_SINGULAR, value, FN(chs_chain_condition)(n, J, 1, scratch, &value));
+    ASSERT_STATUS(CHS_NEAR_SINGULAR, FN(chs_chain_rates_pseudoinverse)(n, J, V, 1, scratch, rates));
+    ASSERT_SAME_BITS(zeros, rates, n);
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_rates_damped)(n, J, V, 1, K(0.1), 0, scratch, rates));
+    ASSERT_SAME_BITS(zeros, rates, n);
+    ASSERT_STATUS(CHS_NEAR_SINGULAR, FN(chs_chain_rates_damped)(n, J, V, 1, K(0.1), K(0.1), scratch, rates));
+    ASSERT_SAME_BITS(zeros, rates, n);
+  }
+}
+
+static void test_singular_values_beyond_the_range_are_an_overflow(void) {
+  real J[6], sigma[6], value;
+  for (int i = 0; i < 6; i++) J[i] = REAL_MAX;
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, sigma, FN(chs_chain_singular_values)(1, J, 1, scratch, sigma));
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, value, FN(chs_chain_manipulability)(1, J, 1, scratch, &value));
+  ASSERT_STATUS(CHS_OK, FN(chs_chain_condition)(1, J, 1, scratch, &value));
+  TEST_ASSERT_TRUE(value == 1);
+}
+
 static void test_damping_bounds_the_rates(void) {
   for (int k = 0; k < CASES; k++) {
     const double sigma[6] = {4, 2, 1, 0.5, log_uniform(1e-6, 1), 0}, lambda = log_uniform(1e-3, 1);
@@ -416,6 +447,8 @@ int main(void) {
   RUN_TEST(test_pseudoinverse_gives_the_smallest_rates);
   RUN_TEST(test_pseudoinverse_of_a_singular_jacobian_leaves_out_what_cannot_be_done);
   RUN_TEST(test_fewer_joints_than_six_do_what_they_can);
+  RUN_TEST(test_a_jacobian_of_zeros_moves_nothing);
+  RUN_TEST(test_singular_values_beyond_the_range_are_an_overflow);
   RUN_TEST(test_damping_bounds_the_rates);
   RUN_TEST(test_damping_solves_the_damped_equations);
   RUN_TEST(test_damping_that_follows_sets_in_near_a_singularity);
