@@ -12,11 +12,12 @@ typedef chs_motion_sums motion_sums;
 typedef chs_motion_quality motion_quality;
 #endif
 
-/* Up to so many points are summed plainly before they join the total, which keeps what rounding takes from it. */
-enum { BLOCK = 64 };
+/* Up to so many points are summed before they join the total, which keeps what rounding takes from it. */
+enum { BLOCK = 128 };
 
 /* The sums stay about the same two points until the weight is so many times what their mean was taken of. So they are
- * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud, in whatever order points come. */
+ * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud in the end, in whatever order points
+ * come. */
 #define REACH K(8.0)
 
 /* Sums between it and its inverse can be raised to the fourth power and leave room for what is small beside them. */

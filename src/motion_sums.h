@@ -17,7 +17,7 @@ typedef struct run {
   const real *initial, *final, *weights;
 } run;
 
-/* The mean of some points of a run, from all over it, initial and final, and their weight. False where it has none. */
+/* The mean of some points of a run, more and more apart, initial and final, and their weight. False where it has none. */
 int FN(chs_p_sample_mean)(const run *r, real mean[7]);
 
 /* The sums over a run, lengths times scale. Returns how many weights are above 0, but 0 where one is below. */

@@ -214,7 +214,7 @@ typedef struct chs_motion_qualityf {
  * eigenvector (Markley 1993); one Newton step on the rotations then brings it to the last digits.
  *
  * The points are looked at once and memory is constant, however many they are. Differences from a point amid them
- * are summed, so that an offset costs nothing but its own rounding; blocks of 64 join totals that keep their rounding
+ * are summed, so that an offset costs nothing but its own rounding; blocks of 128 join totals that keep their rounding
  * errors, so that the errors do not grow with n; and what the differences are taken from is moved when the weight has
  * grown eightfold, so that it never lies far outside the cloud.
  *
