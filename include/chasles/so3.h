@@ -80,13 +80,13 @@ int chs_so3_logf(const float R[9], float w[3]);
  * norm, which grows without bound near a multiple of 2 pi.
  * Returns as chs_so3_exp; the inverses also CHS_ERR_SINGULAR where theta is within 8 eps theta of a multiple of 2 pi
  * other than 0, so that the rounding of w alone decides the result. */
-#define CHS_EPS_SO3_LEFT_JACOBIAN 2.0
+#define CHS_EPS_SO3_LEFT_JACOBIAN 1.5
 #define CHS_EPS_SO3_LEFT_JACOBIAN_BEYOND 2.0
-#define CHS_EPS_SO3_RIGHT_JACOBIAN 2.0
+#define CHS_EPS_SO3_RIGHT_JACOBIAN 1.5
 #define CHS_EPS_SO3_RIGHT_JACOBIAN_BEYOND 2.0
-#define CHS_EPS_SO3_LEFT_JACOBIAN_INVERSE 2.0
+#define CHS_EPS_SO3_LEFT_JACOBIAN_INVERSE 1.5
 #define CHS_EPS_SO3_LEFT_JACOBIAN_INVERSE_BEYOND 4.0
-#define CHS_EPS_SO3_RIGHT_JACOBIAN_INVERSE 2.0
+#define CHS_EPS_SO3_RIGHT_JACOBIAN_INVERSE 1.5
 #define CHS_EPS_SO3_RIGHT_JACOBIAN_INVERSE_BEYOND 4.0
 int chs_so3_left_jacobian(const double w[3], double J[9]);
 int chs_so3_left_jacobianf(const float w[3], float J[9]);
