@@ -173,12 +173,11 @@ SHARED void jacobian_times(const real w[3], half_angle h, const real v[3], real 
   p[2] = a * v[2] + (b * wxv[2] + c * w[2]);
 }
 
-/* An entry on the diagonal of what follows: the smaller share of c |w|^2 is added to a or taken from 1. By factors of 0
- * and 1, since a case would be mispredicted. */
+/* An entry on the diagonal of what follows: the smaller share of c |w|^2 is added to a or taken from 1. No case, which
+ * would be mispredicted. */
 SHARED real jacobian_diagonal(real a, real c, real own, real others) {
-  static const real factors[2] = {0, 1};
-  real less = factors[own < others], more = factors[!(own < others)];
-  return (less * a + more) + c * (less * own - more * others);
+  const real either[2] = {K(1.0) - c * others, a + c * own};
+  return either[own < others];
 }
 
 /* J = a I + b [w] + c w w^T with a + c |w|^2 = 1, the shape that all four Jacobians share. J may be w: all of w is read
