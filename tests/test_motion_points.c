@@ -405,6 +405,8 @@ static void assert_fit_refuses(int status, int n, const real *initial, const rea
 
 static void test_clouds_without_a_rotation_are_refused(void) {
   const real good[12] = {1, 0, 0, 0, 2, 0, 0, 0, 1, 1, 1, 3}, point[12] = {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3};
+  const real near = K(3.0) + K(2.0) * (real)EPS; /* the next number: 2 eps apart are less than 4 eps of 3 */
+  const real rounded_point[12] = {3, 3, 3, near, 3, 3, 3, near, 3, 3, 3, near};
   const real line[12] = {0, 0, 0, 1, 2, 3, 2, 4, 6, -1, -2, -3}, nan[12] = {(real)NAN, 0, 0, 0, (real)INFINITY};
   const real weights[4] = {1, 0, 2, 0}, bad[4] = {1, 1, -1, 1};
   const real corners[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
@@ -419,6 +421,8 @@ static void test_clouds_without_a_rotation_are_refused(void) {
   assert_fit_refuses(CHS_ERR_COINCIDENT, 4, point, good, NULL);
   assert_fit_refuses(CHS_ERR_COINCIDENT, 4, good, point, NULL);
   assert_fit_refuses(CHS_ERR_COINCIDENT, 4, point, point, NULL);
+  assert_fit_refuses(CHS_ERR_COINCIDENT, 4, rounded_point, good, NULL);
+  assert_fit_refuses(CHS_ERR_COINCIDENT, 4, good, rounded_point, NULL);
   assert_fit_refuses(CHS_ERR_COLLINEAR, 4, line, good, NULL);
   assert_fit_refuses(CHS_ERR_COLLINEAR, 4, good, line, NULL);
   assert_fit_refuses(CHS_ERR_COLLINEAR, 4, line, line, NULL);
