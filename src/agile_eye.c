@@ -1,6 +1,5 @@
 #include <chasles/agile_eye.h>
 
-#include "exact.h"
 #include "rotation.h"
 
 /* Legs are counted from 0 here. Leg i has u_i along axis i, v_i against column j = i + 1 of R, and in that column row i
@@ -101,15 +100,6 @@ typedef struct legs {
   real size; /* max(1, |q1|, |q2|, |q3|) */
 } legs;
 
-/* Both to a few eps of themselves: near a right angle the cosine is the sine of what is left to it. */
-static void sine_and_cosine(real angle, real *sine, real *cosine) {
-  FN(chs_p_sin_cos)(angle, 0, sine, cosine);
-  if (ABS(*cosine) >= K(0.25)) return;
-  exact_sum turned = two_sum(angle, CHS_HALF_PI_A);
-  real unused;
-  FN(chs_p_sin_cos)(turned.hi, turned.lo + CHS_HALF_PI_B, cosine, &unused);
-}
-
 static int legs_status(const legs *l) {
   real least = l->d[0] < l->d[1] ? l->d[0] : l->d[1], rounding = K(8.0) * EPS * l->size;
   if (l->d[2] < least) least = l->d[2];
@@ -121,10 +111,14 @@ static int legs_status(const legs *l) {
 /* D and N_i are differences of products of which none exceeds d_j d_k, the length of (D, N_i): their errors are small
  * against it however small it is. */
 static int legs_of(const real joints[3], legs *l) {
-  int status = FN(chs_p_angles_status)(joints, 3);
+  int status = angles_status(joints, 3);
   if (status != CHS_OK) return status;
   real *s = l->s, *c = l->c;
-  for (int i = 0; i < 3; i++) sine_and_cosine(joints[i], s + i, c + i);
+  for (int i = 0; i < 3; i++) {
+    sine_cosine of_joint = FN(chs_p_sin_cos_to_all_digits)(joints[i]);
+    s[i] = of_joint.sine;
+    c[i] = of_joint.cosine;
+  }
   for (int i = 0; i < 3; i++) {
     int j = next[i], k = next[j];
     real cc = c[j] * c[k];
@@ -173,7 +167,7 @@ int FN(chs_agile_eye_direct)(const real joints[3], int assembly, real R[9]) {
     if (status < 0) return status;
     first_assembly(&l, first);
   } else {
-    status = FN(chs_p_angles_status)(joints, 3);
+    status = angles_status(joints, 3);
     if (status < 0) return status;
     locked_assembly(first);
   }
@@ -197,7 +191,7 @@ int FN(chs_agile_eye_direct_working)(const real joints[3], int working, real R[9
 }
 
 int FN(chs_agile_eye_direct_near)(const real joints[3], const real last[9], real R[9]) {
-  int status = first_error(FN(chs_p_angles_status)(joints, 3), check_rotation(last));
+  int status = first_error(angles_status(joints, 3), check_rotation(last));
   if (status != CHS_OK) return status;
   legs l;
   status = legs_of(joints, &l);

@@ -1,4 +1,5 @@
-/* The kernels that stand in for libm: sine and cosine of half an angle, and the angle of a point in the plane. */
+/* The kernels that stand in for libm: sine and cosine of an angle and of half of one, and the angle of a point in the
+ * plane. */
 #ifndef CHASLES_ANGLE_H
 #define CHASLES_ANGLE_H
 
@@ -16,8 +17,9 @@
 #define cosine_ratio(...) FN(chs_p_cosine_ratio)(__VA_ARGS__)
 #define cubic_ratio(...) FN(chs_p_cubic_ratio)(__VA_ARGS__)
 #define half_cotangent(...) FN(chs_p_half_cotangent)(__VA_ARGS__)
-#define versine_of(...) FN(chs_p_versine_of)(__VA_ARGS__)
-#define cosine_of(...) FN(chs_p_cosine_of)(__VA_ARGS__)
+#define angles_status(...) FN(chs_p_angles_status)(__VA_ARGS__)
+#define sin_cos_beyond(...) FN(chs_p_sin_cos_beyond)(__VA_ARGS__)
+#define quarter_turns_in(...) FN(chs_p_quarter_turns_in)(__VA_ARGS__)
 #define sin_cos_of(...) FN(chs_p_sin_cos_of)(__VA_ARGS__)
 #define arc_ratio_rest(...) FN(chs_p_arc_ratio_rest)(__VA_ARGS__)
 #define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
@@ -101,42 +103,46 @@ SHARED real cosine_ratio(half_angle h) { return K(2.0) * h.ss; }
 SHARED real cubic_ratio(half_angle h) { return h.cubic; }
 SHARED real half_cotangent(half_angle h) { return h.c / h.s; }
 
-/* CHS_OK where chs_p_sin_cos takes all of the angles, or CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
-int FN(chs_p_angles_status)(const real *angles, int n);
+/* CHS_ERR_NAN, _INFINITE or _ANGLE_RANGE. */
+SELDOM int FN(chs_p_why_no_angle)(const real *angles, int n);
 
-/* sin and cos of hi + lo, |lo| at most half a unit in the last place of hi, |hi| up to twice CHS_ANGLE_MAX. */
-void FN(chs_p_sin_cos)(real hi, real lo, real *sine, real *cosine);
-
-/* 1 - cos(x) and cos(x) from s = sin(x/2) and c = cos(x/2), each from the smaller of the two squares. */
-SHARED real versine_of(real s, real c) {
-  real ss = s * s, cc = c * c;
-  return K(2.0) * (cc < ss ? K(1.0) - cc : ss);
+/* CHS_OK where all of the angles are within the range, or why not. */
+SHARED int angles_status(const real *angles, int n) {
+  int within = 1;
+  UNROLL for (int i = 0; i < n; i++) within &= ABS(angles[i]) <= ANGLE_MAX; /* false for what is not a number */
+  return within ? CHS_OK : FN(chs_p_why_no_angle)(angles, n);
 }
 
-SHARED real cosine_of(real s, real c) {
-  real ss = s * s, cc = c * c;
-  return cc < ss ? K(2.0) * cc - K(1.0) : K(1.0) - K(2.0) * ss;
-}
+typedef struct sine_cosine {
+  real sine, cosine;
+} sine_cosine;
 
-/* sin(q) and cos(q), each with an error of at most 0.55 eps of 1 up to the limit, beyond which it is 0.9 eps. q less the
- * nearest multiple of pi/2 is r + rest; the last two sums select, and are exact. False where q is no angle or beyond
- * ANGLE_MAX. */
-SHARED int sin_cos_of(real q, real *sine, real *cosine) {
-  static const real cosines[5] = {0, 1, 0, -1, 0}; /* of -pi/2 and so on */
-  if (!(ABS(q) <= CHS_RIGHT_ANGLE_LIMIT)) {
-    if (!(ABS(q) <= ANGLE_MAX)) return 0;
-    FN(chs_p_sin_cos)(q, 0, sine, cosine);
-    return 1;
-  }
-  real k = (q * (K(1.0) / CHS_HALF_PI_A) + TO_INTEGER) - TO_INTEGER;
-  const real *turn = cosines + ((unsigned)(long)k & 3);
-  real x = q - k * CHS_RIGHT_ANGLE_A, y = k * CHS_RIGHT_ANGLE_B, r = x - y, rest = (x - r) - y;
+/* Those of r + rest, which is within a quarter of pi of 0, and as many quarter turns, to 0.55 eps of 1; to 0.75 eps of
+ * themselves, if r is that good. Which is which, and its sign, come from tables: cases would be mispredicted. */
+SHARED sine_cosine sin_cos_beyond(unsigned turns, real r, real rest) {
+  static const real signs[5] = {1, 1, -1, -1, 1};
+  const real *sign = signs + (turns & 3);
   real t = r * r, half = K(0.5) * t;
   real s = r + ((r * t) * CHS_QUARTER_SINE(t) + rest * (K(1.0) - half));
   real c = K(1.0) - (half - ((t * t) * CHS_QUARTER_COSINE(t) - r * rest));
-  *sine = turn[1] * s + turn[0] * c;
-  *cosine = turn[1] * c - turn[0] * s;
-  return 1;
+  real both[2];
+  both[turns & 1] = s;
+  both[~turns & 1] = c;
+  sine_cosine of_angle = {sign[0] * both[0], sign[1] * both[1]};
+  return of_angle;
+}
+
+SHARED real quarter_turns_in(real angle) { return (angle * (K(1.0) / CHS_HALF_PI_A) + TO_INTEGER) - TO_INTEGER; }
+
+/* To 0.8 eps of themselves, unless less than 8 eps of the angle: for large angles, and where digits of a sine or cosine
+ * near 0 count. Both are NaN where the angle is none or beyond ANGLE_MAX. */
+sine_cosine FN(chs_p_sin_cos_to_all_digits)(real angle);
+
+/* To 0.55 eps of 1; NaN as above. */
+SHARED sine_cosine sin_cos_of(real angle) {
+  if (!(ABS(angle) <= CHS_RIGHT_ANGLE_LIMIT)) return FN(chs_p_sin_cos_to_all_digits)(angle);
+  real k = quarter_turns_in(angle), x = angle - k * CHS_RIGHT_ANGLE_A, y = k * CHS_RIGHT_ANGLE_B, r = x - y;
+  return sin_cos_beyond((unsigned)(long)k, r, (x - r) - y);
 }
 
 /* atan(t)/t - 1 where t^2 = yy/xx is at most 1.1. */

@@ -23,7 +23,8 @@ static real excess_of(const real w[3]) {
 
 /* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
  * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-static void turn_about(place *t, real excess, real q, real sine, real cosine, const real S[6]) {
+static void turn_about(place *t, real excess, real q, sine_cosine of_joint, const real S[6]) {
+  real sine = of_joint.sine, cosine = of_joint.cosine;
   real E[9], u[3], wxv[3], versine = K(1.0) - cosine;
   const real *w = S, *v = S + 3;
   real pitch = dot(w, v);
@@ -58,17 +59,17 @@ static void slide(place *t, const real S[6], real q) {
 /* t <- t exp([S] q), k being the frame's axis of S. False where q is out of range or something is no number; t is then
  * of no use. */
 static int advance(place *t, int k, const real S[6], real q) {
-  real sine, cosine, excess = k < 0 ? excess_of(S) : K(0.0);
+  real excess = k < 0 ? excess_of(S) : K(0.0);
   if (!(ABS(excess) <= K(8.0) * EPS)) return advance_by_exp(t, S, q);
   if (k == 3) {
     slide(t, S, q);
     return 1;
   }
-  if (!sin_cos_of(q, &sine, &cosine)) return 0;
+  sine_cosine of_joint = sin_cos_of(q);
   if (k < 0)
-    turn_about(t, excess, q, sine, cosine, S);
+    turn_about(t, excess, q, of_joint, S);
   else
-    turn(t, k, S, q, sine, cosine);
+    turn(t, k, S, q, of_joint);
   return 1;
 }
 

@@ -52,7 +52,8 @@ SHARED void turn_row(real row[3], int i, int j, int k, real sine, real cosine, c
 }
 
 /* A turn by q about axis k of t's frame or, where S[k] = -1, the other way round: two columns of R change. */
-SHARED void turn(place *t, int k, const real S[6], real q, real sine, real cosine) {
+SHARED void turn(place *t, int k, const real S[6], real q, sine_cosine of_joint) {
+  real sine = of_joint.sine, cosine = of_joint.cosine;
   int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
   real versine = S[k] * (K(1.0) - cosine), vi = S[3 + i], vj = S[3 + j];
   const real u[3] = {sine * vi - versine * vj, sine * vj + versine * vi, q * S[3 + k]};

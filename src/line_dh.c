@@ -34,8 +34,8 @@ static const real identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1
 /* T <- T times a turn about, and a travel along, its axis `along`, 0 for x and 2 for z. */
 static void advance(real T[16], int along, real angle, real travel) {
   int u = (along + 1) % 3, v = (along + 2) % 3;
-  real s, c;
-  FN(chs_p_sin_cos)(angle, 0, &s, &c);
+  sine_cosine turn = sin_cos_of(angle);
+  real s = turn.sine, c = turn.cosine;
   for (int i = 0; i < 12; i += 4) {
     real a = T[i + u], b = T[i + v];
     T[i + 3] += travel * T[i + along];

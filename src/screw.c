@@ -37,15 +37,16 @@ int FN(chs_screw_to_pose)(const screw *in, real T[16]) {
 
   /* R = I + sin(theta) [e] + (1 - cos(theta)) [e]^2, and (I - R) A from the same terms, so that a small rotation about
    * a far axis does not cancel. */
-  real e[3], s, c, R[9], p[3], exA[3], exexA[3];
+  real e[3], R[9], p[3], exA[3], exexA[3];
   unit(in->axis, e);
-  FN(chs_p_sin_cos)(K(0.5) * in->angle, 0, &s, &c);
-  real sine = K(2.0) * s * c, versine = versine_of(s, c), ee = dot(e, e);
+  sine_cosine half = sin_cos_of(K(0.5) * in->angle);
+  real ss = half.sine * half.sine, cc = half.cosine * half.cosine, ee = dot(e, e);
   if (ee == 0) ee = 1; /* no axis and nothing to do about it */
-  rotation_from(e, sine / SQRT(ee), K(0.5) * versine / ee, c * c, R);
+  real a = K(2.0) * half.sine * half.cosine / SQRT(ee), b = (cc < ss ? K(1.0) - cc : ss) / ee;
+  rotation_from(e, a, b, cc, R);
   cross(e, in->point, exA);
   cross(e, exA, exexA);
-  for (int i = 0; i < 3; i++) p[i] = in->translation * e[i] - (sine * exA[i] + versine * exexA[i]);
+  for (int i = 0; i < 3; i++) p[i] = in->translation * e[i] - (a * exA[i] + K(2.0) * b * exexA[i]);
   if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
   join(R, p, T);
   return CHS_OK;

@@ -14,30 +14,19 @@ int FN(chs_tilt_error)(const real nominal[9], const real actual[9], real *alpha,
   return undefined ? CHS_TORSION_UNDEFINED : CHS_OK;
 }
 
-/* Once for all angles, which are known to be within the range. */
-static APART void sine_and_cosine(real angle, real *sine, real *cosine) { (void)sin_cos_of(angle, sine, cosine); }
-
 int FN(chs_tilt_to_rotation)(real azimuth, real tilt, real torsion, real R[9]) {
   const real angles[3] = {azimuth, tilt, torsion};
-  int status = FN(chs_p_angles_status)(angles, 3);
+  int status = angles_status(angles, 3);
   if (status != CHS_OK) return status;
 
   /* With p = cos(tilt/2)^2 and q = sin(tilt/2)^2 the first four entries are those of turns about z by the torsion, times
-   * p, and by 2 azimuth - torsion, times q; up to a tilt of pi/3 the latter need not be known so well. */
-  real sa, ca, sh, ch, st, ct, sb, cb;
-  sine_and_cosine(azimuth, &sa, &ca);
-  sine_and_cosine(torsion, &st, &ct);
-  sine_and_cosine(K(0.5) * tilt, &sh, &ch);
+   * p, and by 2 azimuth - torsion, times q. */
+  sine_cosine a = sin_cos_of(azimuth), b = sin_cos_of(torsion), c = sin_cos_of(tilt);
+  real ca = a.cosine, sa = a.sine, ct = b.cosine, st = b.sine, cosine = c.cosine, sine = c.sine;
+  real p = K(0.5) + K(0.5) * cosine, q = K(0.5) - K(0.5) * cosine;
   real spin_sine = st * ca - ct * sa, spin_cosine = ct * ca + st * sa; /* of torsion - azimuth */
-  real sine = K(2.0) * sh * ch, cosine = cosine_of(sh, ch), q = K(0.5) * versine_of(sh, ch);
-  real p = cosine < 0 ? ch * ch : K(1.0) - q;
-  if (cosine >= K(0.5)) {
-    sb = sa * spin_cosine - ca * spin_sine;
-    cb = ca * spin_cosine + sa * spin_sine;
-  } else {
-    exact_sum b = two_sum(K(2.0) * azimuth, -torsion);
-    FN(chs_p_sin_cos)(b.hi, b.lo, &sb, &cb);
-  }
+  real s2 = K(2.0) * sa * ca, c2 = (ca - sa) * (ca + sa);              /* of 2 azimuth */
+  real sb = s2 * ct - c2 * st, cb = c2 * ct + s2 * st;
   R[0] = p * ct - q * cb;
   R[1] = K(0.0) - (p * st + q * sb);
   R[3] = p * st - q * sb;

@@ -56,7 +56,7 @@ int chs_screw_from_posef(const float T[16], chs_screwf *screw);
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE, CHS_ERR_OVERFLOW, and CHS_ERR_SINGULAR where the
  * axis is 0 but the motion is not. */
 #define CHS_EPS_SCREW_TO_POSE_ROTATION 4.0
-#define CHS_EPS_SCREW_TO_POSE_TRANSLATION 6.0
+#define CHS_EPS_SCREW_TO_POSE_TRANSLATION 5.0
 int chs_screw_to_pose(const chs_screw *screw, double T[16]);
 int chs_screw_to_posef(const chs_screwf *screw, float T[16]);
 

@@ -39,7 +39,7 @@ int chs_tilt_errorf(const float nominal[9], const float actual[9], float *alpha,
  *
  * The error is absolute, at any angles.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE. */
-#define CHS_EPS_TILT_TO_ROTATION 4.0
+#define CHS_EPS_TILT_TO_ROTATION 3.5
 int chs_tilt_to_rotation(double azimuth, double tilt, double torsion, double R[9]);
 int chs_tilt_to_rotationf(float azimuth, float tilt, float torsion, float R[9]);
 
