@@ -23,7 +23,7 @@ static real excess_of(const real w[3]) {
 
 /* A turn by q about any unit axis, which rounding has made longer or shorter by a few eps. The formula G(q) v = q v +
  * (1 - cos q) w x v + (q - sin q) w x (w x v) needs no second cross product, as w . w = 1. */
-static void turn_about(place *t, real excess, real q, sine_cosine of_joint, const real S[6]) {
+APART static void turn_about(place *t, real excess, real q, sine_cosine of_joint, const real S[6]) {
   real sine = of_joint.sine, cosine = of_joint.cosine;
   real E[9], u[3], wxv[3], versine = K(1.0) - cosine;
   const real *w = S, *v = S + 3;
@@ -40,14 +40,16 @@ static void turn_about(place *t, real excess, real q, sine_cosine of_joint, cons
   move(t, E, u);
 }
 
-/* t <- t exp([S] q), where omega is of no use as it is. */
-static int advance_by_exp(place *t, const real S[6], real q) {
-  real V[6], T[16], E[9], u[3];
+/* t <- t exp([S] q), where omega is of no use as it is; a NaN where that is out of range. */
+SELDOM static void advance_by_exp(place *t, const real S[6], real q) {
+  real V[6], T[16];
   for (int i = 0; i < 6; i++) V[i] = q * S[i];
-  if (FN(chs_se3_exp)(V, T) < 0) return 0;
-  part(T, E, u);
-  move(t, E, u);
-  return 1;
+  if (FN(chs_se3_exp)(V, T) < 0) {
+    t->p[0] = (real)NAN;
+    return;
+  }
+  part(T, T, V);
+  move(t, T, V);
 }
 
 static void slide(place *t, const real S[6], real q) {
@@ -56,21 +58,23 @@ static void slide(place *t, const real S[6], real q) {
   add_to(t->p, v);
 }
 
-/* t <- t exp([S] q), k being the frame's axis of S. False where q is out of range or something is no number; t is then
- * of no use. */
-static int advance(place *t, int k, const real S[6], real q) {
-  real excess = k < 0 ? excess_of(S) : K(0.0);
-  if (!(ABS(excess) <= K(8.0) * EPS)) return advance_by_exp(t, S, q);
-  if (k == 3) {
-    slide(t, S, q);
-    return 1;
-  }
-  sine_cosine of_joint = sin_cos_of(q);
-  if (k < 0)
-    turn_about(t, excess, q, of_joint, S);
+static void advance_about(place *t, const real S[6], real q) {
+  real excess = excess_of(S);
+  if (ABS(excess) <= K(8.0) * EPS)
+    turn_about(t, excess, q, sin_cos_of(q), S);
   else
-    turn(t, k, S, q, of_joint);
-  return 1;
+    advance_by_exp(t, S, q);
+}
+
+/* t <- t exp([S] q), k being the frame's axis of S. Something in t is no number where something in S or q is none, or
+ * where q is out of range. */
+static void advance(place *t, int k, const real S[6], real q) {
+  if (k == 3)
+    slide(t, S, q);
+  else if (k >= 0)
+    turn(t, k, S, q, sin_cos_of(q));
+  else
+    advance_about(t, S, q);
 }
 
 /* Where the walk starts: at the fixed frame, or at the home pose. */
@@ -101,14 +105,7 @@ static void leave_home(const chain *c, place *t) {
   subtract(t->p, p, t->p);
 }
 
-/* By sums of zeros, of which NaN and infinities make NaN. */
-static int is_finite_place(const place *t) {
-  const real *R = t->R, *p = t->p, zero = 0;
-  real a = zero * R[0] + zero * R[1] + zero * R[2] + zero * p[0];
-  real b = zero * R[3] + zero * R[4] + zero * R[5] + zero * p[1];
-  real c = zero * R[6] + zero * R[7] + zero * R[8] + zero * p[2];
-  return a + b + c == 0;
-}
+static int is_finite_place(const place *t) { return all_finite(t->R, 9) && all_finite(t->p, 3); }
 
 int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
   if (c->joints < 1) return CHS_ERR_ARGUMENT;
@@ -144,9 +141,8 @@ static inline void into_frame_of(const place *t, real column[6]) {
 }
 
 int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t) {
-  int good = c->joints >= 1;
   start(c, t);
-  for (int i = 0; i < c->joints && good; i++) {
+  for (int i = 0; i < c->joints; i++) {
     const real *S = c->screws + 6 * i;
     real column[6], joint = q[i];
     int k = frame_axis(S);
@@ -154,10 +150,10 @@ int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t) {
       column_of(t, k, S, column);
       put_column(column, c->joints, i, J);
     }
-    good = advance(t, k, S, joint);
+    advance(t, k, S, joint);
   }
   finish(c, t);
-  return good && is_finite_place(t);
+  return c->joints >= 1 && is_finite_place(t);
 }
 
 int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
@@ -194,7 +190,8 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
     int k = frame_axis(S);
     column_of(t, k, S, column);
     if (frame) into_frame_of(frame, column);
-    good = all_finite(column, 6) && advance(t, k, S, q[i]);
+    good = all_finite(column, 6);
+    advance(t, k, S, q[i]);
     place displacement = *t;
     leave_home(c, &displacement);
     good = good && is_finite_place(&displacement);
@@ -203,12 +200,14 @@ static int rehearse(const chain *c, const real *q, const place *frame, place *t)
   return good && is_finite_place(t);
 }
 
-/* CHS_OK where the walk may write its results as it goes, or why there are none. */
-static int may_walk(const chain *c, const real *q) {
+/* may_walk for numbers of any size. */
+SELDOM static int may_walk_so_far(const chain *c, const real *q) {
   place t, end;
-  if (is_ordinary(c, q)) return CHS_OK;
   return rehearse(c, q, NULL, &end) && rehearse(c, q, &end, &t) ? CHS_OK : FN(chs_p_why_no_walk)(c, q);
 }
+
+/* CHS_OK where the walk may write its results as it goes, or why there are none. */
+static int may_walk(const chain *c, const real *q) { return is_ordinary(c, q) ? CHS_OK : may_walk_so_far(c, q); }
 
 /* The joint values moved to the end of an output that they may overlap. Each is read before what takes its place is
  * written. */
@@ -217,10 +216,10 @@ static const real *keep(const real *q, int n, real *end) {
   return end;
 }
 
-int FN(chs_chain_links)(const chain *c, const real *q, real *D) {
+/* Apart from what finds out whether they may be, so that only the stack of one is taken at a time. */
+APART static void write_links(const chain *c, const real *q, real *D) {
   place t;
-  int n = c->joints, status = may_walk(c, q);
-  if (status != CHS_OK) return status;
+  int n = c->joints;
   q = keep(q, n, D + 15 * n);
   start(c, &t);
   for (int i = 0; i < n; i++) {
@@ -229,29 +228,36 @@ int FN(chs_chain_links)(const chain *c, const real *q, real *D) {
     leave_home(c, &displacement);
     join(displacement.R, displacement.p, D + 16 * i);
   }
-  return CHS_OK;
 }
 
-int FN(chs_chain_space_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
+/* T may be NULL. */
+APART static void write_jacobian(const chain *c, const real *q, int body, real *J, real T[16]) {
   place t;
-  int n = c->joints, status = may_walk(c, q);
-  if (status != CHS_OK) return status;
+  int n = c->joints;
   FN(chs_p_walk)(c, keep(q, n, J + 5 * n), J, &t);
-  if (T) join(t.R, t.p, T);
-  return CHS_OK;
-}
-
-int FN(chs_chain_body_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
-  place t;
-  int n = c->joints, status = may_walk(c, q);
-  if (status != CHS_OK) return status;
-  FN(chs_p_walk)(c, keep(q, n, J + 5 * n), J, &t);
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < n && body; i++) {
     real column[6];
     get_column(J, n, i, column);
     into_frame_of(&t, column);
     put_column(column, n, i, J);
   }
   if (T) join(t.R, t.p, T);
-  return CHS_OK;
+}
+
+int FN(chs_chain_links)(const chain *c, const real *q, real *D) {
+  int status = may_walk(c, q);
+  if (status == CHS_OK) write_links(c, q, D);
+  return status;
+}
+
+int FN(chs_chain_space_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
+  int status = may_walk(c, q);
+  if (status == CHS_OK) write_jacobian(c, q, 0, J, T);
+  return status;
+}
+
+int FN(chs_chain_body_jacobian)(const chain *c, const real *q, real *J, real T[16]) {
+  int status = may_walk(c, q);
+  if (status == CHS_OK) write_jacobian(c, q, 1, J, T);
+  return status;
 }

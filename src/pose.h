@@ -13,6 +13,7 @@
 #define put_row(...) FN(chs_p_put_row)(__VA_ARGS__)
 #define put_blocks(...) FN(chs_p_put_blocks)(__VA_ARGS__)
 
+/* R may be T. */
 SHARED void part(const real T[16], real R[9], real p[3]) {
   R[0] = T[0];
   R[1] = T[1];
