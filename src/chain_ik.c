@@ -124,7 +124,7 @@ static int move_if_nearer(search *s) {
 }
 
 /* dq = J^-1 error, where J has one. */
-static int solve_exactly(search *s) {
+APART static int solve_exactly(search *s) {
   real A[42], det;
   augment(s->now.J, s->now.error, 1, A);
   return FN(chs_p_eliminate)(A, s->dq, &det) > SQRT(EPS);
@@ -203,6 +203,20 @@ static int check_options(const chain *c, const ik_options *o) {
   return status;
 }
 
+/* The angle that counts as much as a unit of length: in the ratio of the tolerances, but not so large that the tool's
+ * turning would be lost beside the length of the way to it. */
+static real weight_of_length(const chain *c, const place *goal, const ik_options *o) {
+  const real home[3] = {c->home[3], c->home[7], c->home[11]};
+  real wanted = o->angle / o->length, reach = largest(goal->p, 3), size = largest(home, 3);
+  reach = size > reach ? size : reach;
+  for (int i = 0; i < c->joints; i++) {
+    size = largest(c->screws + 6 * i + 3, 3);
+    reach = size > reach ? size : reach;
+  }
+  real most = K(1.0) / (SQRT(SQRT(EPS)) * (reach > 0 ? reach : K(1.0)));
+  return wanted < most ? wanted : most;
+}
+
 /* Random numbers in [-1, 1), the same everywhere: a linear congruential generator of 32 bits (Knuth). */
 static real random_share(uint32_t *state) {
   *state = *state * UINT32_C(1664525) + UINT32_C(1013904223);
@@ -246,7 +260,6 @@ static int find(const chain *c, const real T[16], const real *start, const ik_op
   search s;
   s.c = c;
   s.options = o;
-  s.per_length = o->angle / o->length;
   s.last = 0;
   s.now.q = scratch;
   s.next.q = scratch + m;
@@ -264,6 +277,7 @@ static int find(const chain *c, const real T[16], const real *start, const ik_op
     status = first_error(status, finiteness(c->screws, 6 * n));
     return first_error(status, finiteness(c->home, 12));
   }
+  s.per_length = weight_of_length(c, &s.goal, o);
   copy(start, n, s.start);
   copy(start, n, s.now.q);
   hold(c, s.now.q);

@@ -352,6 +352,20 @@ static void assert_ik_refuses(int status, const chain *c, const real *T, const r
   ASSERT_REFUSES(status, out, FN(chs_chain_ik_step)(c, T, start, o, scratch, out.q, out.residual));
 }
 
+/* Nothing can be that near; the search still has to end where the tool is, as near as numbers go. */
+static void test_a_length_beyond_all_digits_spoils_nothing(void) {
+  const chain c = ur5();
+  ik o = options_of(CHS_IK_NEWTON, 100, 0);
+  o.length = PICK(1e-300, 1e-37F);
+  const real goal[6] = {K(0.3), -1, K(1.2), K(0.4), K(-0.9), K(0.2)};
+  real start[6], T[16], q[6], residual[2];
+  ASSERT_STATUS(CHS_OK, FN(chs_chain_fk)(&c, goal, T));
+  for (int i = 0; i < 6; i++) start[i] = goal[i] + K(0.125);
+  int status = FN(chs_chain_ik)(&c, T, start, &o, scratch, q, residual);
+  TEST_ASSERT_TRUE(status == CHS_OK || status == CHS_ITERATION_LIMIT);
+  TEST_ASSERT_TRUE(residual[0] <= tolerance && residual[1] <= tolerance);
+}
+
 static void test_bad_options_are_refused(void) {
   const ik good = options_of(CHS_IK_DAMPED, 5, 1);
   const real start[6] = {0, 0, 0, 0, 0, 0}, crossed[12] = {-1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, 1};
@@ -434,6 +448,7 @@ int main(void) {
   RUN_TEST(test_a_solution_is_left_as_it_is);
   RUN_TEST(test_millimetres_find_what_metres_find);
   RUN_TEST(test_the_joint_values_may_overlap_the_start);
+  RUN_TEST(test_a_length_beyond_all_digits_spoils_nothing);
   RUN_TEST(test_bad_options_are_refused);
   RUN_TEST(test_bad_numbers_are_refused);
   RUN_TEST(test_a_pose_must_be_a_pose);

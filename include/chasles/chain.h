@@ -198,7 +198,8 @@ int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float 
  * least squares with lambda = damping |error| (Chan & Lawrence 1988), the columns of J scaled to one length. A step
  * that does not bring the tool nearer, or would turn a joint by more than pi/2, is damped and tried again; where
  * nothing helps and a direction of J is lost, a motion of second order is tried along it. So no step does harm. In
- * |error| the two tolerances weigh the same: lengths are divided by length / angle. */
+ * |error| the two tolerances weigh the same: lengths are divided by length / angle, or by eps^(1/4) times the reach
+ * where that is more, lest only lengths count. */
 typedef enum chs_ik_method { CHS_IK_NEWTON = 0, CHS_IK_DAMPED = 1 } chs_ik_method;
 
 typedef struct chs_ik {
