@@ -68,7 +68,7 @@ static int look(const search *s, stand *at) {
   real back[9], left[9];
   if (!FN(chs_p_walk)(s->c, at->q, s->last ? NULL : at->J, &t)) return CHS_ERR_OVERFLOW;
   transpose(t.R, back);
-  multiply(s->goal.R, back, left);
+  FN(chs_so3_multiply)(s->goal.R, back, left);
   int status = FN(chs_so3_log)(left, at->error);
   if (status < 0) return status;
   subtract(s->goal.p, t.p, at->error + 3);
@@ -271,7 +271,7 @@ static int find(const chain *c, const real T[16], const real *start, const ik_op
   s.next.J = scratch + 12 * m;
   s.X = scratch + 18 * m;
   part(T, s.goal.R, s.goal.p);
-  status = first_error(check_rotation(s.goal.R), finiteness(s.goal.p, 3));
+  status = first_error(check_rotation_apart(s.goal.R), finiteness(s.goal.p, 3));
   status = first_error(status, finiteness(start, n));
   if (status != CHS_OK) {
     status = first_error(status, finiteness(c->screws, 6 * n));

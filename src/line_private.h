@@ -23,11 +23,7 @@ typedef struct line {
   real d[3], m[3], length;
 } line;
 
-SHARED int check_line(const real L[6]) {
-  int status = finiteness(L, 6);
-  if (status != CHS_OK) return status;
-  return ABS(dot(L, L) - K(1.0)) <= (real)CHS_SO3_FAR ? CHS_OK : CHS_ERR_ARGUMENT;
-}
+LARGE int check_line(const real L[6]);
 
 /* One that has passed the check. */
 LARGE line line_of(const real L[6]);
@@ -64,6 +60,12 @@ LARGE between between_lines(const real A[6], const real B[6], real zero, real fa
 LARGE void feet_of(const between *r, real foot_a[3], real foot_b[3]);
 
 #if LARGE_BODIES
+
+LARGE int check_line(const real L[6]) {
+  int status = finiteness(L, 6);
+  if (status != CHS_OK) return status;
+  return ABS(dot(L, L) - K(1.0)) <= (real)CHS_SO3_FAR ? CHS_OK : CHS_ERR_ARGUMENT;
+}
 
 LARGE line line_of(const real L[6]) {
   line l;

@@ -30,10 +30,7 @@ SHARED void part(const real T[16], real R[9], real p[3]) {
 }
 
 /* The parts of what should be a pose, and CHS_OK or why it is none. */
-SHARED int read_pose(const real T[16], real R[9], real p[3]) {
-  part(T, R, p);
-  return first_error(check_rotation(R), finiteness_at_a_glance(p));
-}
+LARGE int read_pose(const real T[16], real R[9], real p[3]);
 
 int FN(chs_p_check_pose)(const real T[16]);
 
@@ -93,5 +90,14 @@ SHARED void put_blocks(const real A[9], const real C[9], real M[36]) {
   put_row(C + 3, A + 3, M + 24);
   put_row(C + 6, A + 6, M + 30);
 }
+
+#if LARGE_BODIES
+
+LARGE int read_pose(const real T[16], real R[9], real p[3]) {
+  part(T, R, p);
+  return first_error(check_rotation_apart(R), finiteness_at_a_glance(p));
+}
+
+#endif
 
 #endif

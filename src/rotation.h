@@ -10,6 +10,7 @@
 #define offsets(...) FN(chs_p_offsets)(__VA_ARGS__)
 #define sum_of_offsets(...) FN(chs_p_sum_of_offsets)(__VA_ARGS__)
 #define check_rotation(...) FN(chs_p_check_rotation)(__VA_ARGS__)
+#define check_rotation_apart(...) FN(chs_p_check_rotation_apart)(__VA_ARGS__)
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
 #define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
@@ -66,6 +67,9 @@ SHARED int check_rotation(const real R[9]) {
   const real far = (real)CHS_SO3_FAR;
   return sum_of_offsets(R) <= far ? CHS_OK : FN(chs_p_rotation_status)(R, far);
 }
+
+/* The same for those who are in no hurry. */
+LARGE int check_rotation_apart(const real R[9]);
 
 /* Of two statuses, the one that counts: NaN before infinity before anything else that is wrong. */
 SHARED int first_error(int a, int b) {
@@ -294,5 +298,11 @@ SHARED void inverse_jacobian_times(const real w[3], real k, const real p[3], rea
   v[1] = k * p[1] + (d * w[1] - K(0.5) * wxp[1]);
   v[2] = k * p[2] + (d * w[2] - K(0.5) * wxp[2]);
 }
+
+#if LARGE_BODIES
+
+LARGE int check_rotation_apart(const real R[9]) { return check_rotation(R); }
+
+#endif
 
 #endif

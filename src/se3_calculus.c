@@ -57,7 +57,7 @@ static int twist_of_rate(const real T[16], const real dT[16], int in_body, real 
   int status = first_error(read_pose(T, R, p), finiteness(dT, 12));
   if (status != CHS_OK) return status;
   transpose(R, Rt);
-  multiply(in_body ? Rt : dR, in_body ? dR : Rt, W);
+  FN(chs_so3_multiply)(in_body ? Rt : dR, in_body ? dR : Rt, W);
   FN(chs_so3_vee)(W, omega);
   if (in_body)
     rotate_back(R, dp, dp);
@@ -77,11 +77,11 @@ int FN(chs_se3_space_twist)(const real T[16], const real dT[16], real V[6]) { re
 static quaternion quaternion_between(const real A[9], const real B[9]) {
   real R[9], At[9], d[9];
   transpose(A, At);
-  multiply(At, B, R);
+  FN(chs_so3_multiply)(At, B, R);
   quaternion q = quaternion_of(R);
   if (q.near) {
     for (int i = 0; i < 9; i++) d[i] = B[i] - A[i];
-    multiply(At, d, R);
+    FN(chs_so3_multiply)(At, d, R);
     q.v[0] = R[7] - R[5];
     q.v[1] = R[2] - R[6];
     q.v[2] = R[3] - R[1];

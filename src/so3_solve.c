@@ -32,7 +32,7 @@ static int turn(const place *from, const real w[3], place *to) {
   int status = FN(chs_so3_exp)(w, E);
   if (status < 0) return status;
   *to = *from;
-  multiply(E, from->R, to->R);
+  FN(chs_so3_multiply)(E, from->R, to->R);
   return take(to);
 }
 
@@ -89,7 +89,7 @@ static int advance(place *p, real w[3], int *nearer) {
 int FN(chs_so3_solve)(equations *residual, void *context, const real start[9], real tolerance, int limit, real R[9],
                       real *rest) {
   if (!(tolerance >= 0) || limit < 0) return CHS_ERR_ARGUMENT;
-  int status = check_rotation(start);
+  int status = check_rotation_apart(start);
   if (status != CHS_OK) return status;
   place p = {residual, context, {0}, {0}, 0};
   copy(start, 9, p.R);

@@ -46,7 +46,7 @@ static real wrapped(real angle) {
 }
 
 int FN(chs_tilt_from_rotation)(const real R[9], real *azimuth, real *tilt, real *torsion) {
-  int status = check_rotation(R);
+  int status = check_rotation_apart(R);
   if (status != CHS_OK) return status;
   real axis[2] = {R[2], R[5]}, sine = norm(axis, 2), cosine = R[8];
   real turned = R[3] - R[1], straight = R[0] + R[4];
