@@ -376,13 +376,14 @@ enum { VECTOR = 0, SCALAR = 3, CENTER = 4, TRAVEL = 7, SCREW = 10 };
 static INLINE void bottema_roth(const triangles *t, quaternion *q) {
   real R[9];
   quaternion direct;
-  int clear = rodrigues(t, &direct);
+  rodrigues(t, &direct);
+  int direct_is_clear = clear(t, &direct);
   laub_shiflett_rotation(t, R);
   *q = quaternion_by_selects(R);
-  q->v[0] = clear ? direct.v[0] : q->v[0];
-  q->v[1] = clear ? direct.v[1] : q->v[1];
-  q->v[2] = clear ? direct.v[2] : q->v[2];
-  q->w = clear ? direct.w : q->w;
+  q->v[0] = direct_is_clear ? direct.v[0] : q->v[0];
+  q->v[1] = direct_is_clear ? direct.v[1] : q->v[1];
+  q->v[2] = direct_is_clear ? direct.v[2] : q->v[2];
+  q->w = direct_is_clear ? direct.w : q->w;
 }
 
 static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
@@ -406,15 +407,13 @@ static INLINE void rotations(displacements *b, real tolerance, void method(const
     get_rows(b->x, lane, 3, initial);
     get_rows(b->x + 9, lane, 3, final);
     read_sides(initial, final, &t);
-    measure(&t);
+    read_rest(initial, final, &t, &p);
     method(&t, &q);
-    read_place(initial, final, &t, &p);
-    measure_reach(&p, &t);
     put(q.v, lane, VECTOR, b->x);
     b->x[SCALAR][lane] = q.w;
     put(p.center, lane, CENTER, b->x);
     put(p.travel, lane, TRAVEL, b->x);
-    b->margin[lane] = ordinary(&t, tolerance) && plain(&t, &q) ? K(1.0) : K(0.0);
+    b->margin[lane] = ordinary(&t, tolerance) && moves(&t) && plain(&t, &q) ? K(1.0) : K(0.0);
   }
 }
 

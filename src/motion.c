@@ -109,14 +109,6 @@ static SELDOM int is_still(const real initial[9], const real final[9]) {
   return turned * (K(0.25) / EPS) <= largest_coordinate(initial, final);
 }
 
-/* Whether it is certain, without a look at all of the coordinates, that they are not still. */
-static int moves(const triangles *t) {
-  real da[3], dc[3];
-  subtract(t->af, t->a, da);
-  subtract(t->cf, t->c, dc);
-  return dot(da, da) + dot(dc, dc) > K(80.0) * EPS * EPS * t->reach;
-}
-
 /* k of the errors: the longest side over the smallest height. */
 static APART real condition_of(const triangles *t) {
   real normal[3], aa = dot(t->a, t->a), cc = dot(t->c, t->c), bb = aa + cc + K(2.0) * dot(t->a, t->c);
@@ -173,37 +165,19 @@ static APART int finish(const place *p, real condition, quaternion *q, screw *ou
 /* What finds the rotation q of triangles. */
 typedef void method(const triangles *t, quaternion *q);
 
-/* The whole of a solver, one method or the other. A rotation that is plain is written at once, unless it is known not
- * to be. */
-static INLINE int solve_with_care(method *find, int may_be_plain, const real initial[9], const real final[9],
-                                  real tolerance, screw *out, real T[16]) {
+/* The whole of a solver, one method or the other. */
+static INLINE int solve_with_care(method *find, const real initial[9], const real final[9], real tolerance, screw *out,
+                                  real T[16]) {
   triangles t;
   place p;
   quaternion q;
   int status = read_triangles(initial, final, tolerance, &t, &p);
   if (status != CHS_OK) return status;
-  find(&t, &q);
-  if (may_be_plain && t.ordinary && plain(&t, &q)) return write_apart(&p, &q, out, T);
-  if ((!moves(&t) && is_still(initial, final)) || dot(q.v, q.v) == 0)
-    return FN(chs_p_finish_translation)(p.travel, out, T);
+  int moved = moves(&t) || !is_still(initial, final);
+  if (moved) find(&t, &q);
+  if (!moved || dot(q.v, q.v) == 0) return FN(chs_p_finish_translation)(p.travel, out, T);
+  if (t.ordinary && moves(&t) && plain(&t, &q)) return write_apart(&p, &q, out, T);
   return finish(&p, condition_of(&t), &q, out, T);
-}
-
-/* The same where every instruction counts, for all that is plain; for the rest it starts over. */
-typedef int solver(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]);
-
-static INLINE int solve(method *find, solver *with_care, const real initial[9], const real final[9], real tolerance,
-                        screw *out, real T[16]) {
-  triangles t;
-  place p;
-  quaternion q;
-  read_sides(initial, final, &t);
-  measure(&t);
-  find(&t, &q);
-  read_place(initial, final, &t, &p);
-  measure_reach(&p, &t);
-  if (ordinary(&t, tolerance) && plain(&t, &q)) return write_plain(&p, &q, out, T);
-  return with_care(initial, final, tolerance, out, T);
 }
 
 static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
@@ -215,9 +189,27 @@ static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
 /* Apart, where speed is not all. */
 static APART void laub_shiflett_apart(const triangles *t, quaternion *q) { laub_shiflett(t, q); }
 
+static SELDOM int laub_shiflett_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
+                                          real T[16]) {
+  return solve_with_care(laub_shiflett_apart, initial, final, tolerance, out, T);
+}
+
+/* All that is plain is written at once; for the rest it starts over. */
+int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
+  triangles t;
+  place p;
+  quaternion q;
+  read_sides(initial, final, &t);
+  laub_shiflett(&t, &q);
+  read_rest(initial, final, &t, &p);
+  if (ordinary(&t, tolerance) && moves(&t) && plain(&t, &q)) return write_plain(&p, &q, out, T);
+  return laub_shiflett_with_care(initial, final, tolerance, out, T);
+}
+
 /* Eq. 23 on triangles that were read with care. */
 static APART int clear_rodrigues(const triangles *t, quaternion *q) {
-  return rodrigues(t, q) && well_shaped(t) && plain(t, q);
+  rodrigues(t, q);
+  return well_shaped(t) && clear(t, q);
 }
 
 static APART void bottema_roth_apart(const triangles *t, quaternion *q) {
@@ -226,27 +218,22 @@ static APART void bottema_roth_apart(const triangles *t, quaternion *q) {
 
 static SELDOM int bottema_roth_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
                                          real T[16]) {
-  return solve_with_care(bottema_roth_apart, 0, initial, final, tolerance, out, T);
-}
-
-static SELDOM int laub_shiflett_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
-                                          real T[16]) {
-  return solve_with_care(laub_shiflett_apart, 0, initial, final, tolerance, out, T);
+  return solve_with_care(bottema_roth_apart, initial, final, tolerance, out, T);
 }
 
 /* The order of the points makes no difference to (v; w), and an axis parallel to their plane makes it 0/0 in any order.
  * So near to it the sides say less about the rotation than the normal does; and where they changed their lengths rather
  * than turned, by measuring errors, (v; w) would be those errors magnified. */
-static INLINE void bottema_roth(const triangles *t, quaternion *q) {
-  if (!rodrigues(t, q)) laub_shiflett(t, q);
-}
-
 int FN(chs_motion_bottema_roth)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  return solve(bottema_roth, bottema_roth_with_care, initial, final, tolerance, out, T);
-}
-
-int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
-  return solve(laub_shiflett, laub_shiflett_with_care, initial, final, tolerance, out, T);
+  triangles t;
+  place p;
+  quaternion q;
+  read_sides(initial, final, &t);
+  rodrigues(&t, &q);
+  read_rest(initial, final, &t, &p);
+  if (!ordinary(&t, tolerance)) return bottema_roth_with_care(initial, final, tolerance, out, T);
+  if (!clear(&t, &q)) return FN(chs_motion_laub_shiflett)(initial, final, tolerance, out, T);
+  return write_plain(&p, &q, out, T);
 }
 
 int FN(chs_motion_bottema_roth_order)(const real initial[9], const real final[9], real tolerance, int *order) {
@@ -302,13 +289,12 @@ static APART void spoor_veldpaus(const triangles *t, quaternion *q) {
   *q = quaternion_of(R);
 }
 
-/* Twice the sum of the squares of the sides as complex numbers, (x, y): its angle is twice that of the principal axis,
- * and its length the difference of the moments, of which the return value is the sum. */
-static real moments(const flat *f, real *x, real *y) {
-  real ll = f->l * f->l + f->l * f->u + f->u * f->u, hh = f->h * f->h;
-  *x = ll - hh;
-  *y = f->h * (f->l + K(2.0) * f->u);
-  return ll + hh;
+/* Twice the sum of the squares of the sides as complex numbers over the sum of the moments, (x, y): its angle is twice
+ * that of the principal axis, and its length the difference of the moments in parts of their sum. */
+static void moments(const flat *f, real *x, real *y) {
+  real ll = f->l * f->l + f->l * f->u + f->u * f->u, hh = f->h * f->h, scale = K(1.0) / (ll + hh);
+  *x = scale * (ll - hh);
+  *y = scale * (f->h * (f->l + K(2.0) * f->u));
 }
 
 /* Eq. 6 to 8. The normal of the plane is one principal axis; the other two turn in it by half the angle between the
@@ -319,8 +305,10 @@ static APART void angeles(const triangles *t, quaternion *q) {
   real x, y, xf, yf, R[9];
   flatten(t->a, t->c, &f);
   flatten(t->af, t->cf, &g);
-  real sum = moments(&f, &x, &y), sum_f = moments(&g, &xf, &yf), square = x * x + y * y, square_f = xf * xf + yf * yf;
-  if (K(16.0) * square < sum * sum || K(16.0) * square_f < sum_f * sum_f)
+  moments(&f, &x, &y);
+  moments(&g, &xf, &yf);
+  real square = x * x + y * y, square_f = xf * xf + yf * yf;
+  if (square < K(0.0625) || square_f < K(0.0625))
     least_squares_turn(&f, &g, &x, &y);
   else {
     real cosine = x * xf + y * yf;
@@ -333,7 +321,7 @@ static APART void angeles(const triangles *t, quaternion *q) {
 
 #define METHOD(name)                                                                                              \
   int FN(chs_motion_##name)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) { \
-    return solve_with_care(name, 1, initial, final, tolerance, out, T);                                           \
+    return solve_with_care(name, initial, final, tolerance, out, T);                                              \
   }
 
 METHOD(angeles)

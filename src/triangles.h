@@ -12,6 +12,7 @@ typedef struct triangles {
    * the sum. */
   real before, span, strain;
   real area, area_after; /* squares of twice the areas, good to 16 eps span^2 */
+  real changed;          /* |af - a|^2 + |cf - c|^2 */
   real reach;            /* two thirds of it are at least the square of the largest coordinate */
   int ordinary;          /* nothing but ordinary is known of them, which saves looking closer */
 } triangles;
@@ -22,13 +23,16 @@ typedef struct place {
   real travel[3]; /* displacement of the centroid */
 } place;
 
-/* Half sums of squares between which products of eight lengths neither overflow nor underflow. */
+/* Products of four lengths between which those of fewer and those that small turns make of them neither overflow nor
+ * underflow, and the least square of a quaternion's vector that is good to all digits. */
 #ifdef CHS_SINGLE
-#define SPAN_LEAST 0x1p-21F
-#define REACH_MOST 0x1p+27F
+#define AREA_LEAST 0x1p-96F
+#define AREA_MOST 0x1p+96F
+#define SQUARE_LEAST 0x1p-100F
 #else
-#define SPAN_LEAST 0x1p-201
-#define REACH_MOST 0x1p+199
+#define AREA_LEAST 0x1p-900
+#define AREA_MOST 0x1p+900
+#define SQUARE_LEAST 0x1p-960
 #endif
 
 static INLINE void read_sides(const real initial[9], const real final[9], triangles *t) {
@@ -58,35 +62,47 @@ static INLINE void read_place(const real initial[9], const real final[9], const 
 static INLINE void measure(triangles *t) {
   real aa = dot(t->a, t->a), cc = dot(t->c, t->c), ac = dot(t->a, t->c);
   real ff = dot(t->af, t->af), gg = dot(t->cf, t->cf), fg = dot(t->af, t->cf);
-  real da = ff - aa, dc = gg - cc, db = (da + dc) + K(2.0) * (fg - ac);
+  real aa_more = ff - aa, cc_more = gg - cc, bb_more = (aa_more + cc_more) + K(2.0) * (fg - ac), da[3], dc[3];
   t->before = aa + cc + ac;
   t->span = t->before + (ff + gg + fg);
-  t->strain = ABS(da) + ABS(db) + ABS(dc);
+  t->strain = ABS(aa_more) + ABS(bb_more) + ABS(cc_more);
   t->area = aa * cc - ac * ac;
   t->area_after = ff * gg - fg * fg;
+  subtract(t->af, t->a, da);
+  subtract(t->cf, t->c, dc);
+  t->changed = dot(da, da) + dot(dc, dc);
 }
 
 static INLINE void measure_reach(const place *p, triangles *t) {
   t->reach = t->span + K(0.5) * (dot(p->center, p->center) + dot(p->travel, p->travel));
 }
 
-/* Far enough from lines, and near enough to the origin, for rounding to be out of the question. */
+static INLINE void read_rest(const real initial[9], const real final[9], triangles *t, place *p) {
+  measure(t);
+  read_place(initial, final, t, p);
+  measure_reach(p, t);
+}
+
+/* Far enough from lines, and near enough to the origin, for rounding to be out of the question. NaN fails. */
 static INLINE int well_shaped(const triangles *t) {
-  real least = K(256.0) * EPS * (t->span * t->span);
-  return t->area >= least && t->area_after >= least && t->span >= K(4.0) * EPS * t->reach;
+  real least = K(256.0) * EPS * (t->span * (t->span + K(0.25) * EPS * t->reach));
+  return t->area >= least && t->area_after >= least;
 }
 
 /* Enough to be certain, at a glance, that examine() would find nothing wrong. NaN fails. */
 static INLINE int ordinary(const triangles *t, real tolerance) {
-  return well_shaped(t) && t->reach <= REACH_MOST && t->span >= SPAN_LEAST &&
+  return well_shaped(t) && t->area >= AREA_LEAST && t->area <= AREA_MOST &&
          t->strain <= K(4.0) / K(3.0) * tolerance * t->before;
 }
 
-/* Enough to be certain, of triangles of good shape, that the rotation is neither none nor a half-turn, nor near enough
- * to either to ask. */
+/* Whether it is certain, without a look at all of the coordinates, that some of the sides turned or changed. */
+static INLINE int moves(const triangles *t) { return t->changed > K(80.0) * EPS * EPS * t->reach; }
+
+/* Enough to be certain, of ordinary triangles that move, that the rotation is neither none nor a half-turn nor so near
+ * to one that somebody would ask. */
 static INLINE int plain(const triangles *t, const quaternion *q) {
-  real vv = dot(q->v, q->v), ww = q->w * q->w, zone = K(256.0) * EPS * EPS * t->span;
-  return vv * t->area > zone * t->reach * (vv + ww) && ww * t->area > zone * t->span * vv;
+  real vv = dot(q->v, q->v), ww = q->w * q->w;
+  return vv >= SQUARE_LEAST && ww * t->area > K(144.0) * EPS * EPS * (t->before * t->before) * vv;
 }
 
 /* The screw of q = (v; w), n = |v|, turned so that w is not negative where sign has its sign. */
@@ -117,19 +133,27 @@ static INLINE int write_plain(const place *p, const quaternion *q, screw *out, r
   return CHS_OK;
 }
 
-/* Eq. 23 for the sides a and c. False where the axis that it tells stands at less than asin(1/4) to their plane, for
- * its length is |q| = 4 sin(theta/2) |e . (a x c)|; and where the sides changed by more than twice what turning can do,
- * whose squares are at most 4 sin(theta/2)^2 of theirs. Wants the area measured. */
-static INLINE int rodrigues(const triangles *t, quaternion *q) {
+/* Eq. 23 for the sides a and c. */
+static INLINE void rodrigues(const triangles *t, quaternion *q) {
   real da[3], dc[3], sum[3];
   subtract(t->af, t->a, da);
   subtract(t->cf, t->c, dc);
-  copy(t->c, 3, sum);
+  copy3(t->c, sum);
   add_to(sum, t->cf);
   cross(da, dc, q->v);
   q->w = dot(da, sum);
-  real vv = dot(q->v, q->v), qq = vv + q->w * q->w, changed = dot(da, da) + dot(dc, dc);
-  return (qq * qq >= vv * t->area) & (qq * changed <= K(16.0) * (vv * (dot(t->a, t->a) + dot(t->c, t->c))));
+}
+
+/* Whether it may be believed. Not where the axis that it tells stands at less than asin(1/4) to the plane of the sides,
+ * for its length is |q| = 4 sin(theta/2) |e . (a x c)|; where the squares of their changes are more than twice what
+ * turning can do, 4 sin(theta/2)^2 of theirs; and where the rotation is so near to none or to a half-turn that the
+ * errors of a thin triangle have a say in it. So ordinary triangles move where this is true, and q is plain. With
+ * 1 - cos(theta) and 1 + cos(theta) no product is longer than four lengths. */
+static INLINE int clear(const triangles *t, const quaternion *q) {
+  real vv = dot(q->v, q->v), ww = q->w * q->w, nn = vv + ww, scale = K(2.0) / nn;
+  real less = scale * vv, more = scale * ww, area = less * t->area;
+  return K(2.0) * nn >= area && t->changed <= K(4.0) * less * (dot(t->a, t->a) + dot(t->c, t->c)) &&
+         area * more > K(512.0) * EPS * EPS * (t->span * t->reach) && vv >= SQUARE_LEAST;
 }
 
 /* The dual basis of the sides a and c before, and the unit normal's share: with N = a x c, that is c x N, N x a and N,

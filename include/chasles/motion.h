@@ -33,8 +33,8 @@ extern "C" {
  * whatever order the points are taken, as long as the sides keep their lengths; x is here the side from the first point
  * to the second, y that from the third to the first. In every order it is 4 sin(theta/2) |e . N| long, N = x x y, and 0
  * where the screw axis is parallel to the plane of the points. So where (v; w) says itself that the axis stands at less
- * than asin(1/4), 14.5 degrees, to the plane, where the sides changed by more than twice what a turn by its angle can
- * do, so that (v; w) is measuring errors magnified, and where the triangle is so thin (k^2 > 1/(600 eps) at the latest)
+ * than asin(1/4), 14.5 degrees, to the plane, where the sides changed by more than 1.4 times what a turn by its angle
+ * can do, so that (v; w) is measuring errors magnified, and where the triangle is so thin (k^2 > 1/(600 eps) at the latest)
  * or the motion so near to none or to a half-turn that rounding has a say in it, the rotation is that of Laub & Shiflett.
  *
  * Laub & Shiflett (eq. 12 and 13): [Q] = [Pf] [Pi]^-1, R = [Q] - p v^T, with both origins moved along the normal of
