@@ -29,11 +29,13 @@ LARGE void per_radian(const real S[6], real e[3], real w[3], real *rate) {
 }
 
 LARGE real axis_of(const real S[6], real e[3], real m[3], real *h) {
-  real rate, along;
+  real rate, along, rest;
   per_radian(S, e, m, &rate);
   along = dot(e, m);
   for (int i = 0; i < 3; i++) m[i] -= along * e[i];
-  *h = along;
+  rest = dot(e, m); /* the length of e is off by an eps or so, of which a steep screw sees twice as much */
+  for (int i = 0; i < 3; i++) m[i] -= rest * e[i];
+  *h = along + rest;
   return rate;
 }
 

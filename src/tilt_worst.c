@@ -31,8 +31,9 @@ static int note(study *s, int status) {
 static int pose_of_robot(study *s, const real *q, real R[9], real p[3]) {
   real T[16];
   int status = note(s, s->robot(q, s->context, T));
-  if (status >= 0) part(T, R, p);
-  return status;
+  if (status < 0) return status;
+  part(T, R, p);
+  return finiteness(p, 3);
 }
 
 /* Alpha, beta and the distance at s->q. */

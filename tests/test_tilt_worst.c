@@ -69,6 +69,13 @@ static int cautious(const real *joints, void *context, real T[16]) {
   return *(int *)context;
 }
 
+/* Places what the context says where the first joint is above 0. */
+static int misplaced(const real *joints, void *context, real T[16]) {
+  for (int i = 0; i < 16; i++) T[i] = identity4[i];
+  if (joints[0] > 0) T[11] = *(const real *)context;
+  return CHS_OK;
+}
+
 /* The paper's error of 0.01 degrees, on a grid of nine values a joint. */
 static void test_errors_at_the_reference_of_the_agile_eye(void) {
   const real q[3] = {0, 0, 0}, e = (real)(0.01 * DEGREE), errors[3] = {e, e, e};
@@ -258,6 +265,11 @@ static void test_the_robot_s_own_statuses_come_through(void) {
     bad[i] = (real)NAN;
     ASSERT_REFUSES(CHS_ERR_NAN, worst, FN(chs_tilt_worst)(cautious, &status, 3, q, bad, 3, 2, scratch, worst, NULL));
   }
+  real place = (real)NAN;
+  ASSERT_REFUSES(CHS_ERR_NAN, worst, FN(chs_tilt_worst)(misplaced, &place, 3, q, errors, 3, 2, scratch, worst, NULL));
+  place = (real)INFINITY;
+  ASSERT_REFUSES(CHS_ERR_INFINITE, worst,
+                 FN(chs_tilt_worst)(misplaced, &place, 3, q, errors, 3, 2, scratch, worst, NULL));
 }
 
 int main(void) {

@@ -173,7 +173,7 @@ int chs_se3_space_twist_betweenf(const float A[16], const float B[16], float dt,
  * CHS_ERR_ANGLE_RANGE where s takes it beyond CHS_ANGLE_MAX(F); CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for the other
  * numbers as well. */
 #define CHS_EPS_SE3_INTERPOLATE_ROTATION 5.0
-#define CHS_EPS_SE3_INTERPOLATE_TRANSLATION 5.0
+#define CHS_EPS_SE3_INTERPOLATE_TRANSLATION 8.0
 int chs_se3_interpolate(const double A[16], const double B[16], double s, double T[16]);
 int chs_se3_interpolatef(const float A[16], const float B[16], float s, float T[16]);
 

@@ -83,8 +83,8 @@ int chs_tilt_from_rotationf(const float R[9], float *azimuth, float *tilt, float
  * Gains up to 16 eps, times the size of the nominal position for the distance, are taken for rounding: a joint that
  * does not matter stays at the lower end of its interval.
  * Returns CHS_OK, or the first positive status of the robot or of chs_tilt_error on the way; CHS_ERR_ARGUMENT,
- * CHS_ERR_NAN, CHS_ERR_INFINITE of joints and errors; and the first error of the robot or of chs_tilt_error, so that a
- * box that reaches a singularity is told. */
+ * CHS_ERR_NAN, CHS_ERR_INFINITE of joints, errors and the robot's positions; and the first error of the robot or of
+ * chs_tilt_error, so that a box that reaches a singularity is told. */
 #define CHS_EPS_TILT_WORST 32.0
 #define CHS_TILT_WORST_SCRATCH(n) (4 * (n))
 typedef int chs_tilt_robot(const double *joints, void *context, double T[16]);

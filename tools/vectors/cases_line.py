@@ -120,6 +120,13 @@ def normalize_bands(fmt, rng):
     tiny = ldexp(1, fmt.least)
     subnormal = [[tiny, mpf(0), -tiny] + fmt.round_all([x * tiny * 2**k for x in (5, 3, 2)]) for k in range(0, 100, 9)]
     bands = plane_bands(2)(fmt, rng) + [Band("ordinary", 120, raw, "raw"), Listed("tiny", subnormal, "subnormal")]
+    steep = fmt.pick(
+        "0x1.7e715215486p-2 -0x1.09fe9465ccd65p+1 -0x1.16241c292295dp-3"
+        " 0x1.9033f0efd231bp-9 -0x1.188e16e8de60dp-4 0x1.4ab5ce3a7a5b2p-9",
+        "0x1.01d68cp+8 -0x1.1d50ccp+4 -0x1.bffff8p-2 -0x1.0726c6p-3 -0x1.a5e52cp-8 -0x1.347946p-6",
+    )
+    # Nearly all of the moment lies along the line: 4.6 and 4.8 eps where what was off was taken out only once.
+    bands.append(Listed("ordinary", [[mpf(float.fromhex(x)) for x in steep.split()]], "steep"))
     none = [[mpf(0)] * 3 + point(fmt, rng, "mixed", k) for k in range(4)]
     reach = fmt.pick(mpf("1e200"), mpf("1e25"))
     overflow = [fmt.round_all([1 / reach, mpf(0), mpf(0), mpf(1), reach, mpf(0)])]
