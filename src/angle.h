@@ -23,6 +23,7 @@
 #define sin_cos_of(...) FN(chs_p_sin_cos_of)(__VA_ARGS__)
 #define arc_ratio_rest(...) FN(chs_p_arc_ratio_rest)(__VA_ARGS__)
 #define arc_of(...) FN(chs_p_arc_of)(__VA_ARGS__)
+#define angle_in_sector(...) FN(chs_p_angle_in_sector)(__VA_ARGS__)
 #define angle_from_square(...) FN(chs_p_angle_from_square)(__VA_ARGS__)
 #define safe_square(...) FN(chs_p_safe_square)(__VA_ARGS__)
 #define signed_angle_of(...) FN(chs_p_signed_angle_of)(__VA_ARGS__)
@@ -169,14 +170,20 @@ SHARED arc arc_of(real y, real x) {
 /* atan2(y, x) for y >= 0 and any x, not both 0: in [0, pi]. */
 real FN(chs_p_angle_of)(real y, real x);
 
-/* atan2(|y|, x) from yy = |y|^2, which must not be lost if y is not 0; nor may that of x be, if y is 0. */
-SHARED real angle_from_square(real yy, real x) {
-  real xx = x * x, less = yy > xx ? xx : yy, more = yy > xx ? yy : xx, t = SQRT(less / more);
-  real base = x < 0 ? CHS_PI_A : K(0.0), base_rest = x < 0 ? CHS_PI_B : K(0.0), sign = x < 0 ? K(-1.0) : K(1.0);
-  base = yy > xx ? CHS_HALF_PI_A : base;
-  base_rest = yy > xx ? CHS_HALF_PI_B : base_rest;
-  t *= yy > xx ? -sign : sign;
+/* The angle base + base_rest + sign atan(sqrt(less / more)), less <= more. */
+SHARED real angle_in_sector(real base, real base_rest, real sign, real less, real more) {
+  real t = sign * SQRT(less / more);
   return (base + t) + (base_rest + t * arc_ratio_rest(less, more));
+}
+
+/* atan2(|y|, x) from yy = |y|^2, which must not be lost if y is not 0; nor may that of x be, if y is 0. By a table, for
+ * cases would be mispredicted as often as not. */
+SHARED real angle_from_square(real yy, real x) {
+  static const real sectors[4][3] = {
+      {0, 0, 1}, {CHS_PI_A, CHS_PI_B, -1}, {CHS_HALF_PI_A, CHS_HALF_PI_B, -1}, {CHS_HALF_PI_A, CHS_HALF_PI_B, 1}};
+  real xx = x * x, less = yy < xx ? yy : xx, more = yy > xx ? yy : xx;
+  const real *sector = sectors[(x < 0) + 2 * (yy > xx)];
+  return angle_in_sector(sector[0], sector[1], sector[2], less, more);
 }
 
 /* The square of a y that is not 0 is not lost. */

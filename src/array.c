@@ -133,69 +133,53 @@ static void se3_exp(block *b) {
   }
 }
 
-static INLINE int is_rotation(const real R[9]) { return sum_of_offsets(R) <= (real)CHS_SO3_FAR; }
+/* What angle_from_square in angle.h answers, bit for bit, by selects. */
+static INLINE real angle_by_selects(real yy, real x) {
+  real xx = x * x, less = yy > xx ? xx : yy, more = yy > xx ? yy : xx;
+  real base = x < 0 ? CHS_PI_A : K(0.0), rest = x < 0 ? CHS_PI_B : K(0.0), sign = x < 0 ? K(-1.0) : K(1.0);
+  base = yy > xx ? CHS_HALF_PI_A : base;
+  rest = yy > xx ? CHS_HALF_PI_B : rest;
+  sign = yy > xx ? -sign : sign;
+  return angle_in_sector(base, rest, sign, less, more);
+}
 
-/* What column_beyond in rotation.h takes, put in its places, bit for bit by selects, each by a comparison of its own
- * because gcc makes no vectors of a condition that several share. The largest axis is z, or else y, or else x; or it is
- * the column of w. */
-typedef struct column {
-  real v[3], vv; /* v is still to be multiplied by sign */
-  real w, sign;
-} column;
-
-static INLINE column column_by_selects(const real R[9], const quaternion *q) {
-  column c;
-  real yx = R[4] > R[0] ? R[4] : R[0], first = R[8] > yx ? R[8] : yx;
-  real beside_yx = R[4] > R[0] ? R[8] + R[0] : R[4] + R[8], others = R[8] > yx ? R[0] + R[4] : beside_yx;
-  real x0 = (R[0] - R[4]) + (K(1.0) - R[8]), y1 = (R[4] - R[8]) + (K(1.0) - R[0]), z2 = (R[8] - R[0]) + (K(1.0) - R[4]);
-  real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-  real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz;
-  real skew = R[4] > R[0] ? q->v[1] : q->v[0];
+/* What quaternion_of in rotation.h reads, bit for bit by selects, each by a comparison of its own because gcc makes no
+ * vectors of a condition that several share. The largest axis is z, or else y, or else x. */
+static INLINE quaternion quaternion_by_selects(const real R[9]) {
+  real yx = R[4] > R[0] ? R[4] : R[0], most = R[8] > yx ? R[8] : yx;
+  real trace = (R[0] + R[4]) + R[8], of_w = (K(1.0) + R[0]) + (R[4] + R[8]);
+  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], xy = R[3] + R[1], xz = R[2] + R[6], yz = R[7] + R[5];
+  real x0 = (K(1.0) + R[0]) - (R[4] + R[8]), y1 = (K(1.0) - R[0]) + (R[4] - R[8]), z2 = (K(1.0) - R[0]) + (R[8] - R[4]);
+  real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz, w = R[4] > R[0] ? y : x;
   v0 = R[8] > yx ? xz : v0;
   v1 = R[8] > yx ? yz : v1;
   v2 = R[8] > yx ? z2 : v2;
-  skew = R[8] > yx ? q->v[2] : skew;
-  real xx = v0 * v0, yy = v1 * v1, zz = v2 * v2;
-  real nn = R[4] > R[0] ? yy + (zz + xx) : xx + (yy + zz);
-  nn = R[8] > yx ? zz + (xx + yy) : nn;
-  real vv = q->v[0] * q->v[0] + (q->v[1] * q->v[1] + q->v[2] * q->v[2]), w_of_w = (K(1.0) + first) + others;
-  c.v[0] = others < 0 ? v0 : q->v[0];
-  c.v[1] = others < 0 ? v1 : q->v[1];
-  c.v[2] = others < 0 ? v2 : q->v[2];
-  c.vv = others < 0 ? nn : vv;
-  skew = others < 0 ? skew : w_of_w;
-  c.w = ABS(skew);
-  c.sign = skew < 0 ? K(-1.0) : K(1.0);
-  return c;
+  w = R[8] > yx ? z : w;
+  real sign = w < 0 ? K(-1.0) : K(1.0), size = ABS(w);
+  quaternion q;
+  q.v[0] = trace >= most ? x : sign * v0;
+  q.v[1] = trace >= most ? y : sign * v1;
+  q.v[2] = trace >= most ? z : sign * v2;
+  q.w = trace >= most ? of_w : size;
+  return q;
 }
 
 /* What logarithm in rotation.h answers to a rotation. The result is positive where the answer is CHS_OK, if R is a
  * rotation. */
 static INLINE real logarithm_by_selects(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_near(R);
-  column c = column_by_selects(R, &q);
-  real n = SQRT(c.vv);
-  real d = q.short_of_4, far_ww = c.w * c.w, near_ww = q.w * q.w, near_vv = dot(q.v, q.v);
-  real rest = arc_ratio_rest(d <= K(2.0) ? near_vv : far_ww, d <= K(2.0) ? near_ww : c.vv);
-  real near_k, near_m = multiple_near(&q, rest, &near_k), far_k, far_m = c.sign * multiple_far(n, c.w, rest, &far_k);
-  real whole = d <= K(2.0) ? K(0.5) : c.sign, m = d <= K(2.0) ? near_m : far_m;
-  real v0 = d <= K(2.0) ? q.v[0] : c.v[0], v1 = d <= K(2.0) ? q.v[1] : c.v[1], v2 = d <= K(2.0) ? q.v[2] : c.v[2];
-  w[0] = whole * v0 + m * v0;
-  w[1] = whole * v1 + m * v1;
-  w[2] = whole * v2 + m * v2;
-  *k = d <= K(2.0) ? near_k : far_k;
-  return d <= K(2.0) ? q.w : c.w - EPS * n;
-}
-
-/* That of quaternion_of. */
-static INLINE quaternion quaternion_by_selects(const real R[9]) {
-  quaternion q = quaternion_near(R), out;
-  column c = column_by_selects(R, &q);
-  out.v[0] = q.short_of_4 <= K(2.0) ? q.v[0] : c.sign * c.v[0];
-  out.v[1] = q.short_of_4 <= K(2.0) ? q.v[1] : c.sign * c.v[1];
-  out.v[2] = q.short_of_4 <= K(2.0) ? q.v[2] : c.sign * c.v[2];
-  out.w = q.short_of_4 <= K(2.0) ? q.w : c.w;
-  return out;
+  quaternion q = quaternion_by_selects(R);
+  real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]}, from_4 = short_of_4(R), near_w = K(4.0) - from_4;
+  real vv = dot(v, v), ww = near_w * near_w, far_ww = q.w * q.w;
+  real nn = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), n = SQRT(nn);
+  real rest = arc_ratio_rest(from_4 <= K(2.0) ? vv : far_ww, from_4 <= K(2.0) ? ww : nn);
+  real near_k, near_m = turn_near(from_4, near_w, rest, &near_k), far_k, far_m = turn_far(n, q.w, rest, &far_k);
+  real part = from_4 <= K(2.0) ? K(0.5) : K(1.0), m = from_4 <= K(2.0) ? near_m : far_m;
+  v[0] = from_4 <= K(2.0) ? v[0] : q.v[0];
+  v[1] = from_4 <= K(2.0) ? v[1] : q.v[1];
+  v[2] = from_4 <= K(2.0) ? v[2] : q.v[2];
+  along(v, part, m, w);
+  *k = from_4 <= K(2.0) ? near_k : far_k;
+  return from_4 <= K(2.0) ? near_w : q.w - EPS * n;
 }
 
 /* The logarithm of what may be a rotation; positive where it is one, and not beside a half-turn. */
@@ -278,8 +262,8 @@ static APART void tilt_error(pairs *b) {
     get_rows(b->actual, lane, 3, A);
     tilt_and_torsion t = tilt_and_torsion_of(N, A);
     real tilted = dot(t.tilted, t.tilted), turned = t.turned * t.turned;
-    b->nominal[ALPHA][lane] = angle_from_square(tilted, t.cosine);
-    b->nominal[BETA][lane] = angle_from_square(turned, t.straight);
+    b->nominal[ALPHA][lane] = angle_by_selects(tilted, t.cosine);
+    b->nominal[BETA][lane] = angle_by_selects(turned, t.straight);
     int defined = safe_square(tilted) & safe_square(turned) & !torsion_is_undefined(&t);
     int usual = is_rotation(N) & is_rotation(A) & defined;
     b->nominal[MARGIN][lane] = usual ? K(1.0) : K(0.0);

@@ -77,6 +77,13 @@
 #define LARGE_BODIES 0
 #endif
 
+/* SHARED of what is worth its copies, as with INLINE. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define SHARED_INLINE SHARED __attribute__((always_inline))
+#else
+#define SHARED_INLINE SHARED
+#endif
+
 /* In front of a loop over the four entries of a pose's row. Where there are vectors gcc shall not unroll it before its
  * vectoriser comes, but may unroll what that leaves; where there are none it shall write out all four. */
 #if !defined(__GNUC__) || defined(__clang__) || __GNUC__ < 8 || defined(__OPTIMIZE_SIZE__)

@@ -33,10 +33,11 @@ int FN(chs_p_check_pose)(const real T[16]) {
   return read_pose(T, R, p);
 }
 
-/* The first component other than 0 of the rotation vector of an exact half-turn, w = 0, is made positive. */
-int FN(chs_p_half_turn)(real w, real vector[3]) {
-  real first = vector[0] != 0 ? vector[0] : vector[1] != 0 ? vector[1] : vector[2];
-  if (w == 0 && first < 0)
-    for (int i = 0; i < 3; i++) vector[i] = K(0.0) - vector[i];
-  return CHS_HALF_TURN;
+void FN(chs_p_settle_half_turn)(quaternion *q, real zone, real length) {
+  if (q->w > zone * length) return;
+  for (int i = 0; i < 3; i++) {
+    if (ABS(q->v[i]) <= zone * length) continue;
+    if (q->v[i] < 0) negate(q);
+    return;
+  }
 }

@@ -8,14 +8,13 @@
 #include <chasles/so3.h>
 
 #define offsets(...) FN(chs_p_offsets)(__VA_ARGS__)
-#define sum_of_offsets(...) FN(chs_p_sum_of_offsets)(__VA_ARGS__)
+#define is_rotation(...) FN(chs_p_is_rotation)(__VA_ARGS__)
 #define check_rotation(...) FN(chs_p_check_rotation)(__VA_ARGS__)
 #define check_rotation_apart(...) FN(chs_p_check_rotation_apart)(__VA_ARGS__)
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
 #define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
-#define quaternion_near(...) FN(chs_p_quaternion_near)(__VA_ARGS__)
-#define column_beyond(...) FN(chs_p_column_beyond)(__VA_ARGS__)
+#define short_of_4(...) FN(chs_p_short_of_4)(__VA_ARGS__)
 #define quaternion_of(...) FN(chs_p_quaternion_of)(__VA_ARGS__)
 #define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
 #define rotation_from_half_angle(...) FN(chs_p_rotation_from_half_angle)(__VA_ARGS__)
@@ -26,18 +25,17 @@
 #define inverse_jacobian_from(...) FN(chs_p_inverse_jacobian_from)(__VA_ARGS__)
 #define cotangent_ratio(...) FN(chs_p_cotangent_ratio)(__VA_ARGS__)
 #define rotation_from_quaternion(...) FN(chs_p_rotation_from_quaternion)(__VA_ARGS__)
-#define multiple_near(...) FN(chs_p_multiple_near)(__VA_ARGS__)
-#define multiple_far(...) FN(chs_p_multiple_far)(__VA_ARGS__)
+#define turn_near(...) FN(chs_p_turn_near)(__VA_ARGS__)
+#define turn_far(...) FN(chs_p_turn_far)(__VA_ARGS__)
 #define logarithm_near(...) FN(chs_p_logarithm_near)(__VA_ARGS__)
-#define logarithm_of(...) FN(chs_p_logarithm_of)(__VA_ARGS__)
+#define logarithm_far(...) FN(chs_p_logarithm_far)(__VA_ARGS__)
+#define along(...) FN(chs_p_along)(__VA_ARGS__)
 #define logarithm(...) FN(chs_p_logarithm)(__VA_ARGS__)
 #define inverse_jacobian_times(...) FN(chs_p_inverse_jacobian_times)(__VA_ARGS__)
 
 /* (v; w) proportional to (sin(theta/2) e; cos(theta/2)), of any length, w >= 0: theta in [0, pi] needs no division. */
 typedef struct quaternion {
   real v[3], w;
-  int near;        /* theta is at most a quarter turn, or little more, and the length about 4 cos(theta/2) */
-  real short_of_4; /* 4 - w before rounding, where near */
 } quaternion;
 
 /* What is 0 in a rotation: r1.r1 - 1, r2.r2 - 1, r1.r2 and r3 - r1 x r2, r the rows. */
@@ -55,17 +53,19 @@ real FN(chs_p_deviation)(const real R[9]);
 /* Why R is no rotation to within the tolerance: CHS_ERR_NAN, _INFINITE, _REFLECTION or _NOT_ROTATION; or CHS_OK. */
 SELDOM int FN(chs_p_rotation_status)(const real R[9], real tolerance);
 
-/* At least the largest of them in size. */
-SHARED real sum_of_offsets(const real R[9]) {
-  real off[6];
-  offsets(R, off);
-  return ((ABS(off[0]) + ABS(off[1])) + (ABS(off[2]) + ABS(off[3]))) + (ABS(off[4]) + ABS(off[5]));
+/* Whether it is certain at a glance that R is near a rotation. Three singular values whose squares have the sum 3 and
+ * which have the product 1 are all 1, by the inequality of the means; up to a sum of 3 + 2^-16 and from a product of
+ * 1 - 2^-16 no offset is above 0.0079. NaN fails. */
+SHARED int is_rotation(const real R[9]) {
+  real third[3], determinant, squares = (dot(R, R) + dot(R + 3, R + 3)) + dot(R + 6, R + 6);
+  cross(R, R + 3, third);
+  determinant = dot(R + 6, third);
+  return (squares <= K(3.0) + K(1.0) / K(65536.0)) & (determinant >= K(1.0) - K(1.0) / K(65536.0));
 }
 
 /* R is near enough to a rotation to be read as one; otherwise the status says why not. */
 SHARED int check_rotation(const real R[9]) {
-  const real far = (real)CHS_SO3_FAR;
-  return sum_of_offsets(R) <= far ? CHS_OK : FN(chs_p_rotation_status)(R, far);
+  return is_rotation(R) ? CHS_OK : FN(chs_p_rotation_status)(R, (real)CHS_SO3_FAR);
 }
 
 /* The same for those who are in no hurry. */
@@ -85,64 +85,31 @@ SHARED void negate(quaternion *q) {
 
 /* At a half-turn the axis has no sign of its own: its first non-zero component is made positive. An angle counts as a
  * half-turn when pi - theta <= 2 zone; components count as zero up to zone times the length. */
-SHARED void settle_half_turn(quaternion *q, real zone, real length) {
-  if (q->w > zone * length) return;
-  for (int i = 0; i < 3; i++) {
-    if (ABS(q->v[i]) <= zone * length) continue;
-    if (q->v[i] < 0) negate(q);
-    return;
-  }
-}
+SELDOM void FN(chs_p_settle_half_turn)(quaternion *q, real zone, real length);
 
 /* A matrix near a rotation is read through the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
- * 1978), which agrees with the nearest rotation to a fraction of the matrix's own rounding errors. Up to a quarter turn
- * that is the column of w, and this is it. */
-SHARED quaternion quaternion_near(const real R[9]) {
-  real d = (K(1.0) - R[0]) + (K(1.0) - R[4]) + (K(1.0) - R[8]);
-  quaternion q = {{R[7] - R[5], R[2] - R[6], R[3] - R[1]}, K(4.0) - d, d <= K(2.0), d};
-  return q;
-}
-
-/* A column as it comes: the components of its vector in the places i, j and k and still to be multiplied by sign, which
- * has been taken from w. */
-typedef struct largest_column {
-  real vi, vj, vk, w, sign;
-  unsigned i, j, k;
-} largest_column;
-
-/* The largest column beyond a quarter turn. Tables instead of cases, which would be mispredicted as often as not. */
-SHARED largest_column column_beyond(const real R[9], const quaternion *near) {
-  static const unsigned char axes[8][3] = {{0, 1, 2}, {1, 2, 0}, {0, 1, 2}, {1, 2, 0},
-                                           {0, 1, 2}, {2, 0, 1}, {2, 0, 1}, {2, 0, 1}};
-  static const real signs[2] = {K(1.0), K(-1.0)};
-  int order = (R[4] > R[0]) + 2 * (R[8] > R[0]) + 4 * (R[8] > R[4]);
-  unsigned i = axes[order][0], j = axes[order][1], k = axes[order][2];
-  real others = R[4 * j] + R[4 * k];
-  if (others >= 0) {
-    largest_column of_w = {near->v[0], near->v[1], near->v[2], (K(1.0) + R[4 * i]) + others, K(1.0), 0, 1, 2};
-    return of_w;
-  }
-  real w = R[3 * k + j] - R[3 * j + k];
-  largest_column c;
-  c.vi = (R[4 * i] - R[4 * j]) + (K(1.0) - R[4 * k]);
-  c.vj = R[3 * i + j] + R[3 * j + i];
-  c.vk = R[3 * i + k] + R[3 * k + i];
-  c.w = ABS(w);
-  c.sign = signs[w < 0];
-  c.i = i;
-  c.j = j;
-  c.k = k;
-  return c;
-}
-
-SHARED quaternion quaternion_of(const real R[9]) {
-  quaternion q = quaternion_near(R);
-  if (q.near) return q;
-  largest_column c = column_beyond(R, &q);
-  q.v[c.i] = c.sign * c.vi;
-  q.v[c.j] = c.sign * c.vj;
-  q.v[c.k] = c.sign * c.vk;
-  q.w = c.w;
+ * 1978), which agrees with the nearest rotation to a fraction of the matrix's own rounding errors. A half-turn about a
+ * frame axis, which changes the signs of two of R's columns, makes that of any axis the column of w; its numbers then go
+ * where exclusive or with the axis sends them. Tables tell axes and signs apart, for cases would be mispredicted as
+ * often as not. */
+SHARED_INLINE quaternion quaternion_of(const real R[9]) {
+  static const unsigned char largest_axis[8] = {1, 2, 1, 2, 1, 3, 3, 3};
+  static const real half_turns[4][3] = {{0}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, signs[2] = {1, -1};
+  quaternion q = {{R[7] - R[5], R[2] - R[6], R[3] - R[1]}, (K(1.0) + R[0]) + (R[4] + R[8])};
+  real trace = (R[0] + R[4]) + R[8];
+  if (trace >= R[0] && trace >= R[4] && trace >= R[8]) return q;
+  unsigned axis = largest_axis[(R[4] > R[0]) + 2 * (R[8] > R[0]) + 4 * (R[8] > R[4])];
+  const real *turn = half_turns[axis];
+  real column[4];
+  column[0] = (K(1.0) + turn[0] * R[0]) + (turn[1] * R[4] + turn[2] * R[8]);
+  column[1] = R[7] - turn[0] * R[5];
+  column[2] = R[2] - turn[1] * R[6];
+  column[3] = R[3] - turn[2] * R[1];
+  real w = column[axis], sign = signs[w < 0];
+  q.v[0] = sign * column[1 ^ axis];
+  q.v[1] = sign * column[2 ^ axis];
+  q.v[2] = sign * column[3 ^ axis];
+  q.w = ABS(w);
   return q;
 }
 
@@ -237,57 +204,59 @@ SHARED void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
   R[7] = yz + wx;
 }
 
-/* Rotation vectors are a power of two times v plus a small multiple of v, so that little remains to be rounded. Near,
- * w = v/2 + m v; the result is m, and k = (theta/2) cot(theta/2). rest is arc_ratio_rest of the half-angle's tangent. */
-SHARED real multiple_near(const quaternion *q, real rest, real *k) {
+/* 4 - w of the column of w, before rounding: at most 2 up to a quarter turn. */
+SHARED real short_of_4(const real R[9]) { return (K(1.0) - R[0]) + (K(1.0) - R[4]) + (K(1.0) - R[8]); }
+
+/* Rotation vectors are a power of two times v plus a small multiple of v, so that little remains to be rounded. Up to a
+ * quarter turn, v from the column of w, it is v/2 + m v; the result is m, and k = (theta/2) cot(theta/2). rest is
+ * arc_ratio_rest of the half-angle's tangent. */
+SHARED real turn_near(real from_4, real w, real rest, real *k) {
   *k = K(1.0) + rest;
-  return (K(0.5) * q->short_of_4 + K(2.0) * rest) * (K(1.0) / q->w);
+  return (K(0.5) * from_4 + K(2.0) * rest) * (K(1.0) / w);
 }
 
-/* Beyond a quarter turn w = v + m v. n = |v|, w >= 0, and rest is that of the cotangent. */
-SHARED real multiple_far(real n, real w, real rest, real *k) {
+/* Beyond a quarter turn it is v + m v. n = |v|, and rest is that of the cotangent. */
+SHARED real turn_far(real n, real w, real rest, real *k) {
   real t = K(2.0) * w / n, more = t * rest;
   *k = K(0.25) * t * ((CHS_PI_A - t) - more);
-  return (((CHS_PI_A - n) - t) + (CHS_PI_B - more)) * (K(1.0) / n);
+  return (((CHS_PI_A - n) - t) + (CHS_PI_B - more)) / n;
 }
 
-SHARED void logarithm_near(const quaternion *q, real w[3], real *k) {
-  real m = multiple_near(q, arc_ratio_rest(dot(q->v, q->v), q->w * q->w), k);
-  w[0] = K(0.5) * q->v[0] + m * q->v[0];
-  w[1] = K(0.5) * q->v[1] + m * q->v[1];
-  w[2] = K(0.5) * q->v[2] + m * q->v[2];
+/* w = part v + m v */
+SHARED void along(const real v[3], real part, real m, real w[3]) {
+  w[0] = part * v[0] + m * v[0];
+  w[1] = part * v[1] + m * v[1];
+  w[2] = part * v[2] + m * v[2];
 }
 
-/* The rotation vector of a quaternion, k as above, and CHS_OK or CHS_HALF_TURN. */
-SHARED int logarithm_of(quaternion q, real w[3], real *k) {
-  if (q.near) {
-    logarithm_near(&q, w, k);
+/* The rotation vector up to a quarter turn, of the column (w; v) of w by short_of_4. */
+SHARED void logarithm_near(const real v[3], real from_4, real vector[3], real *k) {
+  real w = K(4.0) - from_4, m = turn_near(from_4, w, arc_ratio_rest(dot(v, v), w * w), k);
+  along(v, K(0.5), m, vector);
+}
+
+/* That of a quaternion beyond a quarter turn, and CHS_OK or CHS_HALF_TURN. */
+SHARED int logarithm_far(quaternion q, real w[3], real *k) {
+  real nn = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), n = SQRT(nn);
+  real m = turn_far(n, q.w, arc_ratio_rest(q.w * q.w, nn), k);
+  if (q.w > EPS * n) {
+    along(q.v, 1, m, w);
     return CHS_OK;
   }
-  real nn = dot(q.v, q.v), n = SQRT(nn), m = multiple_far(n, q.w, arc_ratio_rest(q.w * q.w, nn), k);
-  settle_half_turn(&q, 0, n);
-  w[0] = q.v[0] + m * q.v[0];
-  w[1] = q.v[1] + m * q.v[1];
-  w[2] = q.v[2] + m * q.v[2];
-  return q.w <= EPS * n ? CHS_HALF_TURN : CHS_OK;
+  quaternion settled = q; /* apart, so that the ordinary case stays in registers */
+  FN(chs_p_settle_half_turn)(&settled, 0, n);
+  along(settled.v, 1, m, w);
+  for (int i = 0; i < 3; i++) w[i] += K(0.0); /* no zero is negative */
+  return CHS_HALF_TURN;
 }
-
-SELDOM int FN(chs_p_half_turn)(real w, real vector[3]);
 
 /* That of a matrix that has been checked. */
 SHARED int logarithm(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_near(R);
-  if (q.near) {
-    logarithm_near(&q, w, k);
-    return CHS_OK;
-  }
-  largest_column c = column_beyond(R, &q);
-  real nn = c.vi * c.vi + (c.vj * c.vj + c.vk * c.vk), n = SQRT(nn);
-  real m = c.sign * multiple_far(n, c.w, arc_ratio_rest(c.w * c.w, nn), k);
-  w[c.i] = c.sign * c.vi + m * c.vi;
-  w[c.j] = c.sign * c.vj + m * c.vj;
-  w[c.k] = c.sign * c.vk + m * c.vk;
-  return c.w <= EPS * n ? FN(chs_p_half_turn)(c.w, w) : CHS_OK;
+  real from_4 = short_of_4(R);
+  if (!(from_4 <= 2)) return logarithm_far(quaternion_of(R), w, k);
+  const real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]};
+  logarithm_near(v, from_4, w, k);
+  return CHS_OK;
 }
 
 /* v = J_l(w)^-1 p, k as above. */

@@ -13,7 +13,7 @@ int FN(chs_screw_from_pose)(const real T[16], screw *out) {
   if (status != CHS_OK) return status;
   quaternion q = quaternion_of(R);
   real n = norm(q.v, 3);
-  settle_half_turn(&q, 0, n);
+  if (q.w <= EPS * n) settle_half_turn(&q, 0, n);
   screw s;
   if (n == 0 || !screw_of_rotation(&q, n, origin, p, &s)) {
     /* No rotation to the format, or one whose axis lies beyond the format's range. */

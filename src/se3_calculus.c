@@ -72,21 +72,19 @@ int FN(chs_se3_body_twist)(const real T[16], const real dT[16], real V[6]) { ret
 
 int FN(chs_se3_space_twist)(const real T[16], const real dT[16], real V[6]) { return twist_of_rate(T, dT, 0, V); }
 
-/* The quaternion of A^T B. Below a quarter turn its vector comes from the differences of the columns, in which what A
- * and B have in common cancels exactly. */
-static quaternion quaternion_between(const real A[9], const real B[9]) {
+/* log(A^T B). Up to a quarter turn the sine comes from the differences of the columns, in which what A and B have in
+ * common cancels exactly. */
+static int rotation_between(const real A[9], const real B[9], real w[3], real *k) {
   real R[9], At[9], d[9];
   transpose(A, At);
   FN(chs_so3_multiply)(At, B, R);
-  quaternion q = quaternion_of(R);
-  if (q.near) {
-    for (int i = 0; i < 9; i++) d[i] = B[i] - A[i];
-    FN(chs_so3_multiply)(At, d, R);
-    q.v[0] = R[7] - R[5];
-    q.v[1] = R[2] - R[6];
-    q.v[2] = R[3] - R[1];
-  }
-  return q;
+  real from_4 = short_of_4(R);
+  if (!(from_4 <= 2)) return logarithm_far(quaternion_of(R), w, k);
+  for (int i = 0; i < 9; i++) d[i] = B[i] - A[i];
+  FN(chs_so3_multiply)(At, d, R);
+  const real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]};
+  logarithm_near(v, from_4, w, k);
+  return CHS_OK;
 }
 
 /* log(A^-1 B) of two poses, or why there is none. */
@@ -96,7 +94,7 @@ static int log_between(const real A[16], const real B[16], real w[3], real v[3])
   if (status != CHS_OK) return status;
   subtract(pB, pA, p);
   rotate_back(RA, p, p);
-  status = logarithm_of(quaternion_between(RA, RB), w, &k);
+  status = rotation_between(RA, RB, w, &k);
   inverse_jacobian_times(w, k, p, v);
   return status;
 }
