@@ -361,13 +361,13 @@ static INLINE void bottema_roth(const triangles *t, quaternion *q) {
   real R[9];
   quaternion direct;
   rodrigues(t, &direct);
-  int direct_is_clear = clear(t, &direct);
+  real told = clear(t, &direct) ? K(1.0) : K(0.0); /* compared once a select, which vectorisers take */
   laub_shiflett_rotation(t, R);
   *q = quaternion_by_selects(R);
-  q->v[0] = direct_is_clear ? direct.v[0] : q->v[0];
-  q->v[1] = direct_is_clear ? direct.v[1] : q->v[1];
-  q->v[2] = direct_is_clear ? direct.v[2] : q->v[2];
-  q->w = direct_is_clear ? direct.w : q->w;
+  q->v[0] = told > 0 ? direct.v[0] : q->v[0];
+  q->v[1] = told > 0 ? direct.v[1] : q->v[1];
+  q->v[2] = told > 0 ? direct.v[2] : q->v[2];
+  q->w = told > 0 ? direct.w : q->w;
 }
 
 static INLINE void laub_shiflett(const triangles *t, quaternion *q) {
