@@ -53,14 +53,16 @@ real FN(chs_p_deviation)(const real R[9]);
 /* Why R is no rotation to within the tolerance: CHS_ERR_NAN, _INFINITE, _REFLECTION or _NOT_ROTATION; or CHS_OK. */
 SELDOM int FN(chs_p_rotation_status)(const real R[9], real tolerance);
 
-/* Whether it is certain at a glance that R is near a rotation. Three singular values whose squares have the sum 3 and
- * which have the product 1 are all 1, by the inequality of the means; up to a sum of 3 + 2^-16 and from a product of
- * 1 - 2^-16 no offset is above 0.0079. NaN fails. */
+/* Whether it is certain at a glance that R is near a rotation. Singular values 1 + d have squares of the sum 3 + 2 e + q
+ * and a product that is 1 + e + (e^2 - q)/2 but for d1 d2 d3, with e the sum of the d and q that of their squares. So
+ * the sum less twice the product is 1 + 2 q - e^2 but for little; within these bounds q is at most 1.6e-5 and no offset
+ * above 0.0081. NaN fails. */
 SHARED int is_rotation(const real R[9]) {
   real third[3], determinant, squares = (dot(R, R) + dot(R + 3, R + 3)) + dot(R + 6, R + 6);
   cross(R, R + 3, third);
   determinant = dot(R + 6, third);
-  return (squares <= K(3.0) + K(1.0) / K(65536.0)) & (determinant >= K(1.0) - K(1.0) / K(65536.0));
+  return (ABS(squares - K(3.0)) <= K(1.0) / K(128.0)) &
+         (squares - K(2.0) * determinant <= K(1.0) + K(1.0) / K(65536.0));
 }
 
 /* R is near enough to a rotation to be read as one; otherwise the status says why not. */
