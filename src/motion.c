@@ -212,13 +212,13 @@ static APART int clear_rodrigues(const triangles *t, quaternion *q) {
   return well_shaped(t) && clear(t, q);
 }
 
-static APART void bottema_roth_apart(const triangles *t, quaternion *q) {
+static INLINE void bottema_roth(const triangles *t, quaternion *q) {
   if (!clear_rodrigues(t, q)) laub_shiflett_apart(t, q);
 }
 
 static SELDOM int bottema_roth_with_care(const real initial[9], const real final[9], real tolerance, screw *out,
                                          real T[16]) {
-  return solve_with_care(bottema_roth_apart, initial, final, tolerance, out, T);
+  return solve_with_care(bottema_roth, initial, final, tolerance, out, T);
 }
 
 /* The order of the points makes no difference to (v; w), and an axis parallel to their plane makes it 0/0 in any order.
