@@ -18,7 +18,7 @@ void FN(chs_line_raw_from_points)(const real a[3], const real b[3], real L[6]) {
 
 int FN(chs_line_from_points)(const real a[3], const real b[3], real L[6]) {
   real d[3];
-  int status = first_error(finiteness(a, 3), finiteness(b, 3));
+  int status = first_error(finiteness_at_a_glance(a, 3), finiteness_at_a_glance(b, 3));
   if (status != CHS_OK) return status;
   subtract(b, a, d);
   if (!all_finite(d, 3)) return CHS_ERR_OVERFLOW;
@@ -32,7 +32,7 @@ int FN(chs_line_normalize)(const real raw[6], real L[6]) { return FN(chs_screw_a
 void FN(chs_line_move)(const real T[16], const real L[6], real moved[6]) { FN(chs_se3_adjoint_twist)(T, L, moved); }
 
 int FN(chs_line_project)(const real L[6], const real x[3], real foot[3], real *distance) {
-  int status = first_error(check_line(L), finiteness(x, 3));
+  int status = first_error(check_line(L), finiteness_at_a_glance(x, 3));
   if (status != CHS_OK) return status;
   line l = line_of(L);
   real p[3], off[3];
@@ -47,7 +47,7 @@ int FN(chs_line_project)(const real L[6], const real x[3], real foot[3], real *d
 }
 
 static int signed_angle_about(const real A[6], const real B[6], const real about[3], real *angle) {
-  int status = first_error(first_error(check_line(A), check_line(B)), finiteness(about, 3));
+  int status = first_error(first_error(check_line(A), check_line(B)), finiteness_at_a_glance(about, 3));
   if (status != CHS_OK) return status;
   real n[3], sine = normal_of(A, B, n), direction[3];
   unit(about, direction);

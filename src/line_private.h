@@ -62,7 +62,7 @@ LARGE void feet_of(const between *r, real foot_a[3], real foot_b[3]);
 #if LARGE_BODIES
 
 LARGE int check_line(const real L[6]) {
-  int status = finiteness(L, 6);
+  int status = finiteness_at_a_glance(L, 6);
   if (status != CHS_OK) return status;
   return ABS(dot(L, L) - K(1.0)) <= (real)CHS_SO3_FAR ? CHS_OK : CHS_ERR_ARGUMENT;
 }

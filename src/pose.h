@@ -95,7 +95,7 @@ SHARED void put_blocks(const real A[9], const real C[9], real M[36]) {
 
 LARGE int read_pose(const real T[16], real R[9], real p[3]) {
   part(T, R, p);
-  return first_error(check_rotation_apart(R), finiteness_at_a_glance(p));
+  return first_error(check_rotation_apart(R), finiteness_at_a_glance(p, 3));
 }
 
 #endif

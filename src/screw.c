@@ -29,7 +29,7 @@ int FN(chs_screw_from_pose)(const real T[16], screw *out) {
 int FN(chs_screw_to_pose)(const screw *in, real T[16]) {
   const real numbers[8] = {in->axis[0],  in->axis[1],  in->axis[2],     in->point[0],
                            in->point[1], in->point[2], in->translation, in->angle};
-  int status = finiteness(numbers, 8);
+  int status = finiteness_at_a_glance(numbers, 8);
   if (status != CHS_OK) return status;
   if (ABS(in->angle) > ANGLE_MAX) return CHS_ERR_ANGLE_RANGE;
 
@@ -54,7 +54,7 @@ int FN(chs_screw_to_pose)(const screw *in, real T[16]) {
 
 int FN(chs_screw_pitch)(const screw *in, real *pitch) {
   const real numbers[2] = {in->translation, in->angle};
-  int status = finiteness(numbers, 2);
+  int status = finiteness_at_a_glance(numbers, 2);
   if (status != CHS_OK) return status;
   if (in->angle == 0) {
     *pitch = in->translation == 0 ? 0 : in->translation / K(0.0);
@@ -77,7 +77,7 @@ static int put_axis(const real omega[3], const real v[3], int status, real S[6])
 static const real none[3] = {0, 0, 0};
 
 int FN(chs_screw_helical)(const real q[3], const real s[3], real h, real S[6]) {
-  int endless = ABS(h) > REAL_MAX, status = first_error(finiteness(q, 3), finiteness(s, 3));
+  int endless = ABS(h) > REAL_MAX, status = first_error(finiteness_at_a_glance(q, 3), finiteness_at_a_glance(s, 3));
   if (h != h) return CHS_ERR_NAN;
   if (status != CHS_OK) return status;
   if (largest(s, 3) == 0) return CHS_ERR_SINGULAR;
@@ -98,7 +98,7 @@ int FN(chs_screw_prismatic)(const real s[3], real S[6]) {
 }
 
 int FN(chs_screw_axis_parts)(const real S[6], real q[3], real s[3], real *h) {
-  int status = finiteness(S, 6);
+  int status = finiteness_at_a_glance(S, 6);
   if (status != CHS_OK) return status;
   real e[3], m[3], point[3], pitch;
   if (largest(S, 6) == 0) return CHS_ERR_SINGULAR;
@@ -118,7 +118,7 @@ int FN(chs_screw_axis_parts)(const real S[6], real q[3], real s[3], real *h) {
 }
 
 int FN(chs_screw_axis_pitch)(const real S[6], real *h) {
-  int status = finiteness(S, 6);
+  int status = finiteness_at_a_glance(S, 6);
   if (status != CHS_OK) return status;
   real e[3], m[3], pitch;
   if (largest(S, 6) == 0) return CHS_ERR_SINGULAR;
@@ -133,7 +133,7 @@ int FN(chs_screw_axis_pitch)(const real S[6], real *h) {
 }
 
 int FN(chs_screw_axis_line)(const real S[6], real L[6]) {
-  int status = finiteness(S, 6);
+  int status = finiteness_at_a_glance(S, 6);
   if (status != CHS_OK) return status;
   if (largest(S, 3) == 0) return CHS_ERR_SINGULAR;
   real e[3], m[3], h;
@@ -142,7 +142,7 @@ int FN(chs_screw_axis_line)(const real S[6], real L[6]) {
 }
 
 int FN(chs_screw_normalize)(const real V[6], real S[6], real *rate) {
-  int status = finiteness(V, 6);
+  int status = finiteness_at_a_glance(V, 6);
   if (status != CHS_OK) return status;
   real e[3], w[3], size;
   if (largest(V, 3) > 0) {

@@ -164,7 +164,7 @@ SHARED int all_finite(const real *v, int n) {
 }
 
 /* finiteness() of what hardly ever is anything but finite. */
-SHARED int finiteness_at_a_glance(const real v[3]) { return all_finite(v, 3) ? CHS_OK : finiteness(v, 3); }
+SHARED int finiteness_at_a_glance(const real *v, int n) { return all_finite(v, n) ? CHS_OK : finiteness(v, n); }
 
 /* The answer to a result that came out non-finite: the input's fault or the range's. */
 LARGE int why_not_finite(const real *input, int n);
