@@ -682,7 +682,7 @@ static void test_the_order_of_bottema_roth_is_that_of_the_side_that_turns_most(v
 /* The figures by which motion.h recommends a method: independent errors of a thousandth of the longest side in every
  * coordinate, k <= 4, angles up to 3. */
 static void test_measuring_errors_disturb_the_methods_as_documented(void) {
-  const double documented[LENGTH(solvers)] = {1.97, 1.16, 1.12, 1, 1.19}; /* in the order of solvers[] */
+  const double documented[LENGTH(solvers)] = {1.95, 1.16, 1.12, 1, 1.19}; /* in the order of solvers[] */
   double sum[LENGTH(solvers)] = {0};
   for (int k = 0; k < 100 * CASES; k++) {
     real initial[9], final[9], w[3], R[9], p[3], T[16], angle;

@@ -143,9 +143,9 @@ int chs_motion_beggsf(const float initial[9], const float final[9], float tolera
  *
  * The default is Spoor & Veldpaus, which measuring errors disturb least: with independent errors of the coordinates, as
  * markers have, and triangles of k <= 4 the rotation of Angeles is off by 1.12 times as much, Laub & Shiflett 1.16,
- * Beggs 1.19, Bottema & Roth 1.94 (root mean square). On the motions of the paper's section 4 with 0.1 % of such errors
- * the final points are off by 1.16, 1.24, 1.40 and 2.01 times as much: tools/study/methods.md. In time they cost, in
- * the same order, about 1.05, 0.5, 0.8 and 0.4.
+ * Beggs 1.19, Bottema & Roth 1.95 (root mean square). On the motions of the paper's section 4 with 0.1 % of such errors
+ * the final points are off by 1.16, 1.24, 1.40 and 2.00 times as much: tools/study/methods.md. In time they cost, in
+ * the same order, about 1.1, 0.55, 0.9 and 0.45.
  *
  * Returns what the method returns, or CHS_ERR_ARGUMENT for a method that is none. */
 typedef enum chs_motion_method {

@@ -25,7 +25,8 @@ TABLES = ROOT / "tools" / "firmware" / "tables"
 FUNCTIONS = {
     "so3 Jacobians": ["so3_left_jacobian", "so3_right_jacobian"],
     "their inverses": ["so3_left_jacobian_inverse", "so3_right_jacobian_inverse"],
-    "se3 Jacobians": [f"se3_{side}_jacobian{inverse}" for side in ("left", "right") for inverse in ("", "_inverse")],
+    "se3 Jacobians": ["se3_left_jacobian", "se3_right_jacobian"],
+    "se3 inverse Jacobians": ["se3_left_jacobian_inverse", "se3_right_jacobian_inverse"],
 }
 # Then by a group of outputs, as in functions.def or by these, by a range of angles, or by what the error is counted for.
 GROUPS = {"rotation": {"rotation", "diagonal", "off_diagonal", "rotation_vector"}, "feet": {"foot"}}
