@@ -97,7 +97,7 @@
 /* In front of a loop over two numbers that shall be a vector where there are vectors, and else two statements. */
 #if !defined(__GNUC__) || defined(__clang__) || __GNUC__ < 8
 #define OVER_PAIR
-#elif (defined(__SSE2__) || defined(__ARM_NEON)) && !defined(__OPTIMIZE_SIZE__)
+#elif VECTORS
 #define OVER_PAIR _Pragma("GCC unroll 1")
 #else
 #define OVER_PAIR _Pragma("GCC unroll 2")
