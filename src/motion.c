@@ -38,16 +38,19 @@ static INLINE void scale_by(scaling by, real x[3]) {
   multiply_by(by.second, x);
 }
 
+static INLINE real scaled_square(scaling by, const real v[3]) {
+  real x[3] = {v[0], v[1], v[2]};
+  scale_by(by, x);
+  return dot(x, x);
+}
+
 static SELDOM void bring_to_scale(scaling by, const place *p, triangles *t) {
-  place scaled = *p;
   scale_by(by, t->a);
   scale_by(by, t->c);
   scale_by(by, t->af);
   scale_by(by, t->cf);
   measure(t);
-  scale_by(by, scaled.center);
-  scale_by(by, scaled.travel);
-  measure_reach(&scaled, t);
+  measure_reach(scaled_square(by, p->center) + scaled_square(by, p->travel), t);
 }
 
 /* Points too near to each other or to a line for their rounding errors to be told from their positions; a and c are
@@ -93,7 +96,7 @@ static APART int read_triangles(const real initial[9], const real final[9], real
   read_sides(initial, final, t);
   measure(t);
   read_place(initial, final, t, p);
-  measure_reach(p, t);
+  measure_reach(squares_of(p), t);
   t->ordinary = ordinary(t, tolerance);
   return t->ordinary ? CHS_OK : examine(initial, final, tolerance, t, p);
 }
@@ -173,9 +176,9 @@ static INLINE int solve_with_care(method *find, const real initial[9], const rea
   quaternion q;
   int status = read_triangles(initial, final, tolerance, &t, &p);
   if (status != CHS_OK) return status;
-  int moved = moves(&t) || !is_still(initial, final);
-  if (moved) find(&t, &q);
-  if (!moved || dot(q.v, q.v) == 0) return FN(chs_p_finish_translation)(p.travel, out, T);
+  if (!moves(&t) && is_still(initial, final)) return FN(chs_p_finish_translation)(p.travel, out, T);
+  find(&t, &q);
+  if (dot(q.v, q.v) == 0) return FN(chs_p_finish_translation)(p.travel, out, T);
   if (t.ordinary && moves(&t) && plain(&t, &q)) return write_apart(&p, &q, out, T);
   return finish(&p, condition_of(&t), &q, out, T);
 }

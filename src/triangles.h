@@ -73,14 +73,14 @@ static INLINE void measure(triangles *t) {
   t->changed = dot(da, da) + dot(dc, dc);
 }
 
-static INLINE void measure_reach(const place *p, triangles *t) {
-  t->reach = t->span + K(0.5) * (dot(p->center, p->center) + dot(p->travel, p->travel));
-}
+static INLINE real squares_of(const place *p) { return dot(p->center, p->center) + dot(p->travel, p->travel); }
+
+static INLINE void measure_reach(real squares, triangles *t) { t->reach = t->span + K(0.5) * squares; }
 
 static INLINE void read_rest(const real initial[9], const real final[9], triangles *t, place *p) {
   measure(t);
   read_place(initial, final, t, p);
-  measure_reach(p, t);
+  measure_reach(squares_of(p), t);
 }
 
 /* Far enough from lines, and near enough to the origin, for rounding to be out of the question. NaN fails. */
