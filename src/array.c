@@ -303,7 +303,7 @@ static INLINE void put_screw(const screw *s, int lane, real x[][LANES]) {
   x[7][lane] = s->angle;
 }
 
-static INLINE void scatter_screws(real x[][LANES], const real margin[LANES], int count, screw *screws) {
+static APART void scatter_screws(real x[][LANES], const real margin[LANES], int count, screw *screws) {
   for (int lane = 0; lane < count; lane++) {
     if (!(margin[lane] > 0)) continue;
     get(x, lane, 0, screws[lane].axis);
@@ -433,7 +433,7 @@ static APART void find_poses(displacements *b) {
   }
 }
 
-static INLINE void scatter_poses(displacements *b, int count, real *T, size_t stride) {
+static APART void scatter_poses(displacements *b, int count, real *T, size_t stride) {
   for (int lane = 0; lane < count; lane++)
     if (b->margin[lane] > 0) scatter(b->x, 16, lane, T + (size_t)lane * stride);
 }
