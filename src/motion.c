@@ -165,6 +165,17 @@ static APART int finish(const place *p, real condition, quaternion *q, screw *ou
   return half_turn ? CHS_HALF_TURN : CHS_OK;
 }
 
+/* The same from what is known to be ordinary triangles that move, once their rotation is known. */
+static SELDOM int finish_ordinary(const real initial[9], const real final[9], const quaternion *rotation, screw *out,
+                                  real T[16]) {
+  triangles t;
+  place p;
+  quaternion q = *rotation;
+  read_sides(initial, final, &t);
+  read_place(initial, final, &t, &p);
+  return finish(&p, condition_of(&t), &q, out, T);
+}
+
 /* What finds the rotation q of triangles. */
 typedef void method(const triangles *t, quaternion *q);
 
@@ -197,7 +208,8 @@ static SELDOM int laub_shiflett_with_care(const real initial[9], const real fina
   return solve_with_care(laub_shiflett_apart, initial, final, tolerance, out, T);
 }
 
-/* All that is plain is written at once; for the rest it starts over. */
+/* All that is plain is written at once; for the rest it starts over, but where code may be large not for half-turns and
+ * what is near to them. */
 int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], real tolerance, screw *out, real T[16]) {
   triangles t;
   place p;
@@ -205,7 +217,13 @@ int FN(chs_motion_laub_shiflett)(const real initial[9], const real final[9], rea
   read_sides(initial, final, &t);
   laub_shiflett(&t, &q);
   read_rest(initial, final, &t, &p);
-  if (ordinary(&t, tolerance) && moves(&t) && plain(&t, &q)) return write_plain(&p, &q, out, T);
+  if (ordinary(&t, tolerance) && moves(&t)) {
+    if (plain(&t, &q)) return write_plain(&p, &q, out, T);
+    if (VECTORS && dot(q.v, q.v) > 0) {
+      quaternion told = q; /* so that the ordinary case stays in registers */
+      return finish_ordinary(initial, final, &told, out, T);
+    }
+  }
   return laub_shiflett_with_care(initial, final, tolerance, out, T);
 }
 
