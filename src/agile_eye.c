@@ -38,7 +38,7 @@ static real leg_angle(const real R[9], int i, int flipped) {
 }
 
 static int inverse_status(const real R[9]) {
-  int status = check_rotation(R);
+  int status = check_rotation_apart(R);
   if (status != CHS_OK) return status;
   int count = free_legs(R);
   return count == 3 ? CHS_ERR_LOCKUP : count > 0 ? CHS_SELF_MOTION : CHS_OK;
@@ -66,7 +66,7 @@ int FN(chs_agile_eye_inverse_all)(const real R[9], real joints[24]) {
 }
 
 int FN(chs_agile_eye_distance)(const real R[9], real *distance) {
-  int status = check_rotation(R);
+  int status = check_rotation_apart(R);
   if (status != CHS_OK) return status;
   real least = CHS_PI_A;
   for (int i = 0; i < 3; i++) {
@@ -191,7 +191,7 @@ int FN(chs_agile_eye_direct_working)(const real joints[3], int working, real R[9
 }
 
 int FN(chs_agile_eye_direct_near)(const real joints[3], const real last[9], real R[9]) {
-  int status = first_error(angles_status(joints, 3), check_rotation(last));
+  int status = first_error(angles_status(joints, 3), check_rotation_apart(last));
   if (status != CHS_OK) return status;
   legs l;
   status = legs_of(joints, &l);
