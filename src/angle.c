@@ -4,35 +4,33 @@
 /* hi + lo - 2 pi k, k the integer that brings it nearest to 0, as high + low with a high whose square is exact. */
 typedef struct remainder_angle {
   real high, low;
-  int odd; /* k is */
 } remainder_angle;
 
 static inline real turns_in(real angle) { return (angle * (K(0.5) / CHS_PI_A) + TO_INTEGER) - TO_INTEGER; }
 
-static inline remainder_angle remainder_of(real k, real x, real rest) {
-  real high = on_grid(x), half_k = (K(0.5) * k + TO_INTEGER) - TO_INTEGER;
-  remainder_angle a = {high, (x - high) + rest, K(2.0) * half_k != k};
+static inline remainder_angle split(real x, real rest) {
+  real high = on_grid(x);
+  remainder_angle a = {high, (x - high) + rest};
   return a;
 }
 
 /* For |hi| up to NEAR, with an error of a few hundredths of an eps: k times the short part of pi is exact. */
 static inline remainder_angle remainder_near(real hi, real lo) {
   real k = turns_in(hi);
-  return remainder_of(k, hi - k * (K(2.0) * CHS_PI_SHORT), lo - k * (K(2.0) * CHS_PI_REST));
+  return split(hi - k * (K(2.0) * CHS_PI_SHORT), lo - k * (K(2.0) * CHS_PI_REST));
 }
 
 /* For every hi > pi, with an error near 2^-104 hi in double (2^-46 in float). */
 SELDOM static void remainder_far(real hi, real lo, remainder_angle *a) {
   real k = turns_in(hi);
   exact_sum turns = product(k, K(2.0) * CHS_PI_A);
-  *a = remainder_of(k, hi - turns.hi, (lo - turns.lo) - k * (K(2.0) * CHS_PI_B));
+  *a = split(hi - turns.hi, (lo - turns.lo) - k * (K(2.0) * CHS_PI_B));
 }
 
-static inline half_angle half_angle_of_remainder(remainder_angle a, real *tt) {
+static inline split_square square_of(remainder_angle a) {
   real head = a.high * a.high, rest = a.low * ((a.high + a.high) + a.low);
   split_square square = {head + rest, head, rest};
-  *tt = square.t;
-  return half_angle_within_pi(square);
+  return square;
 }
 
 /* The quarter turns are counted with an error of half an eps of their number, which may be one too many or too few of
@@ -76,7 +74,7 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
   real x = on_grid(w[0]), y = on_grid(w[1]), z = on_grid(w[2]), head = x * x + y * y + z * z;
   real rest = (w[0] - x) * (w[0] + x) + (w[1] - y) * (w[1] + y) + (w[2] - z) * (w[2] + z);
   real tt = head + rest, theta = SQRT(tt);
-  remainder_angle a = {0, 0, 0};
+  remainder_angle a = {0, 0};
   /* theta = g + (theta^2 - g^2) / (theta + g) with a short g. */
   if (theta <= NEAR) {
     real g = on_grid(theta);
@@ -92,10 +90,9 @@ int FN(chs_p_half_angle_beyond_pi)(const real w[3], half_angle *half) {
     tt = squared;
     a = far;
   }
-  real rr;
-  half_angle h = half_angle_of_remainder(a, &rr);
+  half_angle h = half_angle_within_pi(square_of(a));
   real cc = h.c * h.c;
-  const real sine_squared[2] = {h.ss * rr, K(1.0) - cc}; /* no case, which would be mispredicted */
+  const real sine_squared[2] = {h.ss * h.tt, K(1.0) - cc}; /* no case, which would be mispredicted */
   half->s = h.s * ((a.high + a.low) / theta);
   half->c = h.c;
   half->a = half->s * h.c;
