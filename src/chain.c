@@ -108,7 +108,7 @@ static void leave_home(const chain *c, place *t) {
 static int is_finite_place(const place *t) { return all_finite(t->R, 9) && all_finite(t->p, 3); }
 
 int FN(chs_p_why_no_walk)(const chain *c, const real *q) {
-  if (c->joints < 1) return CHS_ERR_ARGUMENT;
+  if (!is_chain(c)) return CHS_ERR_ARGUMENT;
   int status = first_error(finiteness(c->screws, 6 * c->joints), finiteness(q, c->joints));
   status = first_error(status, finiteness(c->home, 12)); /* the last row is never read */
   for (int i = 0; i < c->joints && status == CHS_OK; i++)
@@ -153,7 +153,7 @@ int FN(chs_p_walk)(const chain *c, const real *q, real *J, place *t) {
     advance(t, k, S, joint);
   }
   finish(c, t);
-  return c->joints >= 1 && is_finite_place(t);
+  return is_chain(c) && is_finite_place(t);
 }
 
 int FN(chs_chain_fk)(const chain *c, const real *q, real T[16]) {
@@ -176,13 +176,13 @@ static int is_ordinary(const chain *c, const real *q) {
     turns += (ABS(S[0]) + ABS(S[1]) + ABS(S[2])) * times;
     lengths += (ABS(S[3]) + ABS(S[4]) + ABS(S[5])) * times;
   }
-  return c->joints >= 1 && entries <= 8 && turns <= K(1.0) / (K(64.0) * EPS) && lengths <= K(0x1p-48) * REAL_MAX;
+  return is_chain(c) && entries <= 8 && turns <= K(1.0) / (K(64.0) * EPS) && lengths <= K(0x1p-48) * REAL_MAX;
 }
 
 /* A walk that writes nothing: is every number of the places and columns finite, columns seen from `frame`,
  * displacements from the fixed frame? Gives the tool's place. */
 static int rehearse(const chain *c, const real *q, const place *frame, place *t) {
-  int good = c->joints >= 1;
+  int good = is_chain(c);
   start(c, t);
   for (int i = 0; i < c->joints && good; i++) {
     const real *S = c->screws + 6 * i;

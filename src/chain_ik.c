@@ -191,7 +191,8 @@ static enum outcome step(search *s) {
 
 static int check_options(const chain *c, const ik_options *o) {
   const real numbers[3] = {o->angle, o->length, o->method == CHS_IK_DAMPED ? o->damping : K(1.0)};
-  if (c->joints < 1 || o->steps < 0 || o->restarts < 0) return CHS_ERR_ARGUMENT;
+  if (!is_chain(c) || o->steps < 0 || o->restarts < 0) return CHS_ERR_ARGUMENT;
+  if (o->method != CHS_IK_NEWTON && o->method != CHS_IK_DAMPED) return CHS_ERR_ARGUMENT;
   int status = finiteness(numbers, 3);
   for (int i = 0; c->limits && i < c->joints; i++) {
     real least = c->limits[2 * i], most = c->limits[2 * i + 1];

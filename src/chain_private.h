@@ -8,6 +8,7 @@
 #include <chasles/chain.h>
 #include <chasles/se3.h>
 
+#define is_chain(...) FN(chs_p_is_chain)(__VA_ARGS__)
 #define move(...) FN(chs_p_move)(__VA_ARGS__)
 #define frame_axis(...) FN(chs_p_frame_axis)(__VA_ARGS__)
 #define turn_row(...) FN(chs_p_turn_row)(__VA_ARGS__)
@@ -20,6 +21,11 @@ typedef chs_chainf chain;
 #else
 typedef chs_chain chain;
 #endif
+
+/* Joints, and one of the forms. */
+SHARED int is_chain(const chain *c) {
+  return c->joints >= 1 && (c->form == CHS_SPACE_FORM || c->form == CHS_BODY_FORM);
+}
 
 /* A pose on the way. */
 typedef struct place {

@@ -23,7 +23,7 @@ static void pose_of(const frame *f, real T[16]) {
   join(R, f->o, T);
 }
 
-static int arguments_are_right(int n, int convention) {
+static int arguments_are_right(int n, chs_dh convention) {
   return n >= 1 && (convention == CHS_DH_STANDARD || convention == CHS_DH_MODIFIED);
 }
 
@@ -52,7 +52,7 @@ static void z_line(const real T[16], real L[6]) {
 }
 
 /* False where something overflows; axes may be NULL. */
-static int walk_rows(int n, int convention, const real base[16], const real *dh, const real tool[16], real *axes,
+static int walk_rows(int n, chs_dh convention, const real base[16], const real *dh, const real tool[16], real *axes,
                      real home[16]) {
   real T[16], L[6];
   copy(base, 12, T);
@@ -70,7 +70,7 @@ static int walk_rows(int n, int convention, const real base[16], const real *dh,
   return good && all_finite(home, 12);
 }
 
-int FN(chs_line_from_dh)(int n, int convention, const real base[16], const real *dh, const real tool[16], real *axes,
+int FN(chs_line_from_dh)(int n, chs_dh convention, const real base[16], const real *dh, const real tool[16], real *axes,
                          real home[16]) {
   if (!arguments_are_right(n, convention)) return CHS_ERR_ARGUMENT;
   real end[16], B[16], E[16];
@@ -90,7 +90,8 @@ int FN(chs_line_from_dh)(int n, int convention, const real base[16], const real 
 /* ---- Parameters from axes ---- */
 
 typedef struct chain {
-  int n, convention;
+  int n;
+  chs_dh convention;
   const real *axes;
   real home[16], tool[6]; /* the tool's pose, and its z axis as a line */
   real zero, reach;       /* the tolerance, and the length it is also relative to */
@@ -232,7 +233,7 @@ static int walk_axes(const chain *c, real *dh, real *base, real *tool) {
   return good && all_finite(T, 12) ? status : CHS_ERR_OVERFLOW;
 }
 
-int FN(chs_line_to_dh)(int n, int convention, const real *axes, const real home[16], real tolerance, real *dh,
+int FN(chs_line_to_dh)(int n, chs_dh convention, const real *axes, const real home[16], real tolerance, real *dh,
                        real base[16], real tool[16]) {
   if (!arguments_are_right(n, convention)) return CHS_ERR_ARGUMENT;
   chain c = {n, convention, axes, {0}, {0}, tolerance > ROUNDING ? tolerance : ROUNDING, 0};

@@ -417,6 +417,16 @@ static void test_a_chain_without_joints_is_refused(void) {
   }
 }
 
+static void test_a_form_that_is_none_is_refused(void) {
+  const int none[] = {2, 7, 100};
+  robot r;
+  random_robot(1, 2, &r);
+  for (int k = 0; k < LENGTH(none); k++) {
+    const chain c = chain_of(&r, (chs_chain_form)none[k]);
+    assert_walks_refuse(CHS_ERR_ARGUMENT, &c, r.q);
+  }
+}
+
 static void test_angles_beyond_the_range_are_refused_and_lengths_are_not(void) {
   const real S[3][6] = {{0, 0, 1, 0, 0, 0}, {K(0.6), 0, K(0.8), 0, 0, 0}, {0, 2, 0, 0, 0, 0}};
   real q[1] = {NEXT_AFTER(ANGLE_MAX, REAL_MAX)}, T[16];
@@ -460,6 +470,7 @@ int main(void) {
   RUN_TEST(test_bad_numbers_are_refused);
   RUN_TEST(test_the_last_row_of_the_home_pose_is_not_read);
   RUN_TEST(test_a_chain_without_joints_is_refused);
+  RUN_TEST(test_a_form_that_is_none_is_refused);
   RUN_TEST(test_angles_beyond_the_range_are_refused_and_lengths_are_not);
   RUN_TEST(test_lengths_beyond_the_range_are_an_overflow);
   return SUITE_END();

@@ -376,6 +376,12 @@ static void test_bad_options_are_refused(void) {
   o = good;
   o.restarts = -1;
   assert_ik_refuses(CHS_ERR_ARGUMENT, &c, identity4, start, &o);
+  o = good;
+  o.method = (chs_ik_method)2;
+  assert_ik_refuses(CHS_ERR_ARGUMENT, &c, identity4, start, &o);
+  c.form = (chs_chain_form)2;
+  assert_ik_refuses(CHS_ERR_ARGUMENT, &c, identity4, start, &good);
+  c.form = CHS_SPACE_FORM;
   real *const numbers[3] = {&o.angle, &o.length, &o.damping};
   for (int i = 0; i < 3; i++) {
     o = good;

@@ -10,13 +10,13 @@ typedef struct chain {
 
 /* The same as parameters. */
 typedef struct table {
-  int convention;
+  chs_dh convention;
   real dh[4 * MOST], base[16], tool[16];
 } table;
 
-static const int conventions[2] = {CHS_DH_STANDARD, CHS_DH_MODIFIED};
+static const chs_dh conventions[2] = {CHS_DH_STANDARD, CHS_DH_MODIFIED};
 
-static int table_of(const chain *c, int convention, double tolerance, table *t) {
+static int table_of(const chain *c, chs_dh convention, double tolerance, table *t) {
   t->convention = convention;
   return FN(chs_line_to_dh)(c->n, convention, c->axes, c->home, (real)tolerance, t->dh, t->base, t->tool);
 }
@@ -35,7 +35,9 @@ static void assert_same_chain(const chain *expected, const chain *actual, double
 /* Arms by the tables of their makers and of textbooks, rows a alpha d theta. */
 static const struct arm {
   const char *name;
-  int n, convention, status;
+  int n;
+  chs_dh convention;
+  int status;
   double dh[6][4];
 } arms[] = {
     {"UR5e",
@@ -275,21 +277,21 @@ static void test_wrong_arguments_are_refused_and_nothing_is_written(void) {
   table t, wrong;
   random_chain(3, 0, &c);
   for (int i = 0; i < 2; i++) {
-    int convention = conventions[i];
+    const chs_dh convention = conventions[i];
     TEST_ASSERT_GREATER_OR_EQUAL(0, table_of(&c, convention, 0, &t));
     table spare = t;
     chain bent = c;
     ASSERT_REFUSES(CHS_ERR_ARGUMENT, wrong,
                    FN(chs_line_to_dh)(0, convention, c.axes, c.home, 0, wrong.dh, wrong.base, wrong.tool));
     ASSERT_REFUSES(CHS_ERR_ARGUMENT, wrong,
-                   FN(chs_line_to_dh)(3, 0, c.axes, c.home, 0, wrong.dh, wrong.base, wrong.tool));
+                   FN(chs_line_to_dh)(3, (chs_dh)0, c.axes, c.home, 0, wrong.dh, wrong.base, wrong.tool));
     ASSERT_REFUSES(CHS_ERR_ARGUMENT, wrong,
                    FN(chs_line_to_dh)(3, convention, c.axes, c.home, -1, wrong.dh, wrong.base, wrong.tool));
     ASSERT_REFUSES(CHS_ERR_NAN, wrong,
                    FN(chs_line_to_dh)(3, convention, c.axes, c.home, (real)NAN, wrong.dh, wrong.base, wrong.tool));
     ASSERT_REFUSES(CHS_ERR_ARGUMENT, out,
                    FN(chs_line_from_dh)(-1, convention, t.base, t.dh, t.tool, out.axes, out.home));
-    ASSERT_REFUSES(CHS_ERR_ARGUMENT, out, FN(chs_line_from_dh)(3, 3, t.base, t.dh, t.tool, out.axes, out.home));
+    ASSERT_REFUSES(CHS_ERR_ARGUMENT, out, FN(chs_line_from_dh)(3, (chs_dh)3, t.base, t.dh, t.tool, out.axes, out.home));
     memcpy(bent.axes + 12, bad_axis, sizeof bad_axis);
     ASSERT_REFUSES(CHS_ERR_ARGUMENT, wrong,
                    FN(chs_line_to_dh)(3, convention, bent.axes, c.home, 0, wrong.dh, wrong.base, wrong.tool));

@@ -57,8 +57,8 @@ typedef struct chs_chainf {
  * The errors are those of each joint: the promise counts n times. That of the rotation is absolute, that of the
  * translation relative to the reach, for a home pose that is a rotation and a translation; a joint whose omega is
  * neither a unit vector nor 0 counts |omega q| times where that is more than 1.
- * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE and
- * CHS_ERR_OVERFLOW. */
+ * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1 or the form is none; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ANGLE_RANGE
+ * and CHS_ERR_OVERFLOW. */
 #define CHS_EPS_CHAIN_FK_ROTATION 4.0
 #define CHS_EPS_CHAIN_FK_TRANSLATION 8.0
 int chs_chain_fk(const chs_chain *chain, const double *q, double T[16]);
@@ -240,8 +240,9 @@ typedef struct chs_ikf {
  * is as true as these two. Tolerances finer than their errors cannot be met.
  * Returns CHS_OK; CHS_ITERATION_LIMIT where more steps are needed or a tolerance cannot be met; CHS_AT_JOINT_LIMIT
  * where joints that are held at their limits keep the tool from getting nearer; CHS_NEAR_SINGULAR where no joint moves
- * it nearer, as beyond the reach of an outstretched arm; CHS_ERR_ARGUMENT where n < 1, an option is outside its range
- * or a lower limit above its upper one; CHS_ERR_NAN and CHS_ERR_INFINITE; as chs_chain_fk; what CHS_SO3_FAR says. */
+ * it nearer, as beyond the reach of an outstretched arm; CHS_ERR_ARGUMENT where n < 1, the form or the method is
+ * none, an option is outside its range or a lower limit above its upper one; CHS_ERR_NAN and CHS_ERR_INFINITE; as
+ * chs_chain_fk; what CHS_SO3_FAR says. */
 int chs_chain_ik(const chs_chain *chain, const double T[16], const double *start, const chs_ik *options,
                  double *scratch, double *q, double residual[2]);
 int chs_chain_ikf(const chs_chainf *chain, const float T[16], const float *start, const chs_ikf *options,

@@ -127,7 +127,6 @@ typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
 /* The axes, and the pose of the tool, where all joint values are zero.
  *
  *   n           the number of joints, at least 1.
- *   convention  a chs_dh.
  *   base, tool  the poses of frame 0 in the frame of the result, and of the tool in frame n; NULL is the identity.
  *   dh          [4*n], angles up to CHS_ANGLE_MAX(F) in size.
  *   axes        [6*n], unit lines; must not overlap dh.
@@ -136,15 +135,16 @@ typedef enum chs_dh { CHS_DH_STANDARD = 1, CHS_DH_MODIFIED = 2 } chs_dh;
  * With the reach r = |p_base| + sum of |a| + |d| + |p_tool|, and for base and tool that are rotations to within
  * rounding, errors are n times what is promised here: of directions and of the rotation absolutely, of moments and of
  * the position relative to r.
- * Returns CHS_OK; CHS_ERR_ARGUMENT; CHS_ERR_ANGLE_RANGE; CHS_ERR_OVERFLOW; what CHS_SO3_FAR says, for all numbers. */
+ * Returns CHS_OK; CHS_ERR_ARGUMENT where n < 1 or the convention is none; CHS_ERR_ANGLE_RANGE; CHS_ERR_OVERFLOW; what
+ * CHS_SO3_FAR says, for all numbers. */
 #define CHS_EPS_LINE_FROM_DH_DIRECTION 3.0
 #define CHS_EPS_LINE_FROM_DH_MOMENT 4.0
 #define CHS_EPS_LINE_FROM_DH_ROTATION 4.0
 #define CHS_EPS_LINE_FROM_DH_POSITION 4.0
-int chs_line_from_dh(int n, int convention, const double base[16], const double *dh, const double tool[16],
+int chs_line_from_dh(int n, chs_dh convention, const double base[16], const double *dh, const double tool[16],
                      double *axes, double home[16]);
-int chs_line_from_dhf(int n, int convention, const float base[16], const float *dh, const float tool[16], float *axes,
-                      float home[16]);
+int chs_line_from_dhf(int n, chs_dh convention, const float base[16], const float *dh, const float tool[16],
+                      float *axes, float home[16]);
 
 /* The parameters of a chain, the inverse of the above. Each x axis lies along the common perpendicular of two axes, and
  * of its two senses has the one that turns less from the x axis before, so that |theta| <= pi/2 and the links that lie
@@ -173,15 +173,15 @@ int chs_line_from_dhf(int n, int convention, const float base[16], const float *
  * parallel neighbours: errors, n + 1 times what is promised here, are relative to k for angles and rotations and to k r
  * for lengths and positions.
  * Returns CHS_OK; CHS_PARALLEL or CHS_COINCIDENT, the latter if both, where some neighbours of the axes given are so;
- * CHS_ERR_ARGUMENT, also for a negative tolerance and directions that are not of unit length; CHS_ERR_OVERFLOW; what
+ * CHS_ERR_ARGUMENT as above, for a negative tolerance and directions that are not of unit length; CHS_ERR_OVERFLOW; what
  * CHS_SO3_FAR says of home, for all numbers. */
 #define CHS_EPS_LINE_TO_DH_ANGLES 3.0
 #define CHS_EPS_LINE_TO_DH_LENGTHS 6.0
 #define CHS_EPS_LINE_TO_DH_ROTATION 3.0
 #define CHS_EPS_LINE_TO_DH_POSITION 6.0
-int chs_line_to_dh(int n, int convention, const double *axes, const double home[16], double tolerance, double *dh,
+int chs_line_to_dh(int n, chs_dh convention, const double *axes, const double home[16], double tolerance, double *dh,
                    double base[16], double tool[16]);
-int chs_line_to_dhf(int n, int convention, const float *axes, const float home[16], float tolerance, float *dh,
+int chs_line_to_dhf(int n, chs_dh convention, const float *axes, const float home[16], float tolerance, float *dh,
                     float base[16], float tool[16]);
 
 #ifdef __cplusplus

@@ -123,7 +123,7 @@ static int print_dh(const struct robot *robot, const struct options *options) {
   for (int i = 0; i < robot->joints; ++i) {
     if (!axis_of(robot, i, axes + 6 * i)) return UNUSABLE;
   }
-  const int convention = strcmp(kinds[options->rows], "dh-standard") == 0 ? CHS_DH_STANDARD : CHS_DH_MODIFIED;
+  const chs_dh convention = strcmp(kinds[options->rows], "dh-standard") == 0 ? CHS_DH_STANDARD : CHS_DH_MODIFIED;
   const int status = chs_line_to_dh(robot->joints, convention, axes, robot->home, options->tolerance, dh, base, tool);
   if (status < 0) return failed(status);
   print_heading(robot, options->rows);

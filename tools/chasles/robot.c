@@ -237,7 +237,7 @@ static void tidy(double *x, int count) {
 static bool convert_dh(struct reading *reading) {
   struct robot *robot = reading->robot;
   double axes[6 * MOST_JOINTS];
-  const int convention = reading->rows == DH_STANDARD ? CHS_DH_STANDARD : CHS_DH_MODIFIED;
+  const chs_dh convention = reading->rows == DH_STANDARD ? CHS_DH_STANDARD : CHS_DH_MODIFIED;
   const int status =
       chs_line_from_dh(robot->joints, convention, reading->base, reading->dh, reading->tool, axes, robot->home);
   if (status < 0) {
