@@ -26,14 +26,25 @@ static int take(place *p) {
   return finiteness(p->f, 3);
 }
 
-/* The place after a turn, exp [w] R. */
+/* The same at the rotation nearest to R, the only one that can be an answer: starts and turns drift. */
+static int settle(place *p) {
+  FN(chs_so3_nearest)(p->R, p->R, NULL);
+  return take(p);
+}
+
+/* The place after a turn, exp [w] R, where nothing is taken yet. */
 static int turn(const place *from, const real w[3], place *to) {
   real E[9];
   int status = FN(chs_so3_exp)(w, E);
   if (status < 0) return status;
   *to = *from;
   FN(chs_so3_multiply)(E, from->R, to->R);
-  return take(to);
+  return CHS_OK;
+}
+
+static int take_after(const place *from, const real w[3], place *to) {
+  int status = turn(from, w, to);
+  return status < 0 ? status : take(to);
 }
 
 /* The columns of df/dw. */
@@ -42,11 +53,11 @@ static int derivatives(const place *p, real columns[9]) {
     real w[3] = {0, 0, 0}, *column = columns + 3 * i;
     place turned;
     w[i] = DIFFERENCE;
-    int status = turn(p, w, &turned);
+    int status = take_after(p, w, &turned);
     if (status < 0) return status;
     copy3(turned.f, column);
     w[i] = -DIFFERENCE;
-    status = turn(p, w, &turned);
+    status = take_after(p, w, &turned);
     if (status < 0) return status;
     for (int j = 0; j < 3; j++) column[j] = (column[j] - turned.f[j]) / (K(2.0) * DIFFERENCE);
   }
@@ -76,6 +87,7 @@ static int advance(place *p, real w[3], int *nearer) {
   for (int k = 0; k < HALVINGS; k++) {
     place next;
     int status = turn(p, w, &next);
+    if (status >= 0) status = settle(&next);
     if (status >= 0 && next.rest < p->rest) {
       *p = next;
       *nearer = 1;
@@ -93,7 +105,7 @@ int FN(chs_so3_solve)(equations *residual, void *context, const real start[9], r
   if (status != CHS_OK) return status;
   place p = {residual, context, {0}, {0}, 0};
   copy(start, 9, p.R);
-  status = take(&p);
+  status = settle(&p);
   if (status < 0) return status;
   int nearer = 1;
   for (int k = 0; k < limit && nearer && p.rest > tolerance; k++) {
@@ -102,7 +114,7 @@ int FN(chs_so3_solve)(equations *residual, void *context, const real start[9], r
     if (status >= 0) status = advance(&p, w, &nearer);
     if (status < 0) return status;
   }
-  FN(chs_so3_nearest)(p.R, R, NULL); /* each step has added an eps of drift */
+  copy(p.R, 9, R);
   if (rest) *rest = p.rest;
   return p.rest <= tolerance ? CHS_OK : CHS_ITERATION_LIMIT;
 }

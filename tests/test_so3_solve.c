@@ -139,11 +139,26 @@ static void test_the_size_of_the_equations_does_not_matter(void) {
 static void test_a_solved_start_is_kept_and_no_step_is_a_status(void) {
   real R[9], rest, other[9];
   random_rotation(other);
-  ASSERT_STATUS(CHS_OK, FN(chs_so3_solve)(off_target, other, other, 0, 0, R, &rest));
+  ASSERT_STATUS(CHS_OK, FN(chs_so3_solve)(off_target, other, other, (real)(8 * EPS), 0, R, &rest));
   ASSERT_ENTRIES_WITHIN_EPS(other, R, 9, CHS_EPS_SO3_NEAREST_ROTATION, 1);
-  TEST_ASSERT_TRUE(rest == 0);
+  TEST_ASSERT_TRUE((double)rest <= 8 * EPS);
   ASSERT_STATUS(CHS_ITERATION_LIMIT, FN(chs_so3_solve)(off_target, other, identity3, 0, 0, R, NULL));
   ASSERT_ENTRIES_WITHIN_EPS(identity3, R, 9, CHS_EPS_SO3_NEAREST_ROTATION, 1);
+}
+
+/* Of a start that has drifted and of an end that has not: what is left is that of the rotation that comes out. */
+static void test_rest_is_that_of_the_rotation(void) {
+  for (int k = 0; k < CASES; k++) {
+    real target[9], start[9], R[9], f[3], rest, tolerance = (real)uniform(0, 0.01);
+    random_rotation(target);
+    for (int i = 0; i < 9; i++) start[i] = target[i] + (real)uniform(-0.002, 0.002);
+    int status = FN(chs_so3_solve)(off_target, target, start, tolerance, k % 4, R, &rest);
+    TEST_ASSERT_EQUAL(CHS_OK, FN(chs_so3_check)(R, (real)(4 * EPS)));
+    ASSERT_STATUS(CHS_OK, off_target(R, target, f));
+    const double left = length_of(f, 3);
+    ASSERT_WITHIN_EPS(left, rest, 4, left);
+    ASSERT_STATUS(rest <= tolerance ? CHS_OK : CHS_ITERATION_LIMIT, status);
+  }
 }
 
 static void test_output_may_be_the_start(void) {
@@ -177,6 +192,7 @@ int main(void) {
   RUN_TEST(test_a_step_turns_by_half_a_radian_at_most);
   RUN_TEST(test_the_size_of_the_equations_does_not_matter);
   RUN_TEST(test_a_solved_start_is_kept_and_no_step_is_a_status);
+  RUN_TEST(test_rest_is_that_of_the_rotation);
   RUN_TEST(test_output_may_be_the_start);
   RUN_TEST(test_what_cannot_be_solved_is_refused);
   return SUITE_END();
