@@ -11,3 +11,5 @@
 /* What the registry's calls use besides. */
 FUNCTION(motion_begin, )
 FUNCTION(motion_add, )
+FUNCTION(line_from_dh, )
+FUNCTION(line_to_dh, )
