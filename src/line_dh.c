@@ -94,7 +94,7 @@ typedef struct chain {
   chs_dh convention;
   const real *axes;
   real home[16], tool[6]; /* the tool's pose, and its z axis as a line */
-  real zero, reach;       /* the tolerance, and the length it is also relative to */
+  real zero, near;        /* the tolerance, and that share of the length it is also relative to */
 } chain;
 
 /* A link: the perpendicular of two lines, with its sense. */
@@ -142,7 +142,7 @@ static void start_at(const chain *c, frame *f) {
 /* The link from line k - 1, on which the frame f lies, to line k. */
 static void link_of(const chain *c, const frame *f, int k, link *l) {
   const real *A = line_at(c, k - 1), *B = line_at(c, k);
-  between r = between_lines(A, B, c->zero, c->reach);
+  between r = between_lines(A, B, c->zero, c->near);
   int to_tool = c->convention == CHS_DH_STANDARD && k == c->n, coincident = r.status == CHS_COINCIDENT;
   l->a = r.distance;
   l->alpha = r.angle;
@@ -245,10 +245,10 @@ int FN(chs_line_to_dh)(int n, chs_dh convention, const real *axes, const real ho
   copy(home, 12, c.home);
   z_line(home, c.tool);
   tool_column(&c, 3, p);
-  c.reach = norm(p, 3);
+  c.near = zero_of(c.zero, p);
   for (int i = 0; i < n; i++) {
-    real far = norm(axes + 6 * i + 3, 3);
-    c.reach = far > c.reach ? far : c.reach;
+    real near = zero_of(c.zero, axes + 6 * i + 3);
+    c.near = near > c.near ? near : c.near;
   }
   if (walk_axes(&c, NULL, NULL, NULL) < 0) return CHS_ERR_OVERFLOW;
   return walk_axes(&c, dh, base, tool);

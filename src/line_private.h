@@ -11,6 +11,7 @@
 #define point_of(...) FN(chs_p_point_of)(__VA_ARGS__)
 #define foot_on(...) FN(chs_p_foot_on)(__VA_ARGS__)
 #define normal_of(...) FN(chs_p_normal_of)(__VA_ARGS__)
+#define zero_of(...) FN(chs_p_zero_of)(__VA_ARGS__)
 #define across(...) FN(chs_p_across)(__VA_ARGS__)
 #define between_lines(...) FN(chs_p_between_lines)(__VA_ARGS__)
 #define feet_of(...) FN(chs_p_feet_of)(__VA_ARGS__)
@@ -52,9 +53,15 @@ typedef struct between {
 /* x across the line, as near as may be to the coordinate axis of the direction's smallest component. */
 LARGE void across(const real d[3], real x[3]);
 
+/* zero |m|, also where |m| is beyond the format. */
+SHARED real zero_of(real zero, const real m[3]) {
+  const real x[3] = {zero * m[0], zero * m[1], zero * m[2]};
+  return norm(x, 3);
+}
+
 /* A and B have been checked. A sine up to `zero` counts as zero, and so does a distance (times the sine, where there is
- * one) up to that share of |m_a| + |m_b| + far. */
-LARGE between between_lines(const real A[6], const real B[6], real zero, real far);
+ * one) up to that share of |m_a| + |m_b|, and `more`. */
+LARGE between between_lines(const real A[6], const real B[6], real zero, real more);
 
 /* Where the perpendicular meets the lines: t along each from its point nearest to the origin (eq. 8). */
 LARGE void feet_of(const between *r, real foot_a[3], real foot_b[3]);
@@ -87,14 +94,14 @@ LARGE void across(const real d[3], real x[3]) {
   unit(x, x);
 }
 
-LARGE between between_lines(const real A[6], const real B[6], real zero, real far) {
+LARGE between between_lines(const real A[6], const real B[6], real zero, real more) {
   between r;
   real n[3], length = normal_of(A, B, n);
   r.a = line_of(A);
   r.b = line_of(B);
   r.angle = FN(chs_p_angle_of)(length, dot(A, B));
   r.sine = length / (r.a.length * r.b.length);
-  real near = zero * norm(r.a.m, 3) + zero * norm(r.b.m, 3) + zero * far;
+  real near = zero_of(zero, r.a.m) + zero_of(zero, r.b.m) + more;
   if (r.sine > zero) {
     real turned = dot(r.a.d, r.b.m) + dot(r.b.d, r.a.m); /* s times the distance, against a x b */
     int meet = ABS(turned) <= near, back = !meet && turned > 0;

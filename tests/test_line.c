@@ -433,6 +433,38 @@ static void test_the_moment_is_that_of_equation_9_over_the_squared_sine(void) {
   }
 }
 
+/* A line of |m| = reach, no entry of m above 1.9, and the same with its moment enlarged. */
+static void line_and_large(double reach, const real d[3], real L[6], real large[6]) {
+  const real up = (real)PICK(0x1p+1023, 0x1p+127);
+  do {
+    real p[3];
+    random_vector(reach, p);
+    ASSERT_STATUS(CHS_OK, FN(chs_line_from_direction)(p, d, L));
+  } while (fabs((double)L[3]) > 1.9 || fabs((double)L[4]) > 1.9 || fabs((double)L[5]) > 1.9);
+  for (int i = 0; i < 6; i++) large[i] = i < 3 ? L[i] : L[i] * up;
+}
+
+/* Where |m| is beyond the range the answer is that of small lines, enlarged, or an overflow. */
+static void test_the_largest_moments_are_told_like_small_ones(void) {
+  int beyond = 0;
+  for (int k = 0; k < 10 * CASES; k++) {
+    real A[6], B[6], large_A[6], large_B[6], d[3], e[3], small, distance;
+    random_vector(1, d);
+    random_vector(1, e);
+    line_and_large(uniform(0.1, 3), d, A, large_A);
+    line_and_large(uniform(0.1, 3), k % 3 == 1 ? d : e, B, large_B);
+    if (k % 3 == 2) memcpy(B, A, sizeof B), memcpy(large_B, large_A, sizeof large_B);
+    double M = length_of(A + 3, 3) + length_of(B + 3, 3);
+    int status = FN(chs_line_distance)(A, B, &small), answer = FN(chs_line_distance)(large_A, large_B, &distance);
+    if (answer == CHS_ERR_OVERFLOW && (M > 1 || small >= 2)) continue;
+    ASSERT_STATUS(status, answer);
+    small *= (real)PICK(0x1p+1023, 0x1p+127);
+    ASSERT_SAME_BITS(&small, &distance, 1);
+    beyond += length_of(A + 3, 3) > 2;
+  }
+  TEST_ASSERT_GREATER_THAN(0, beyond);
+}
+
 static void test_lengths_beyond_the_range_are_an_overflow(void) {
   const real A[6] = {0, 0, 1, REAL_MAX, 0, 0}, B[6] = {0, 0, 1, -REAL_MAX, 0, 0};
   const real a[3] = {REAL_MAX, 0, 0}, b[3] = {-REAL_MAX, 0, 0}, x[3] = {0, -REAL_MAX, 0};
@@ -477,6 +509,7 @@ int main(void) {
   RUN_TEST(test_a_direction_that_is_a_little_long_counts_as_the_unit_one);
   RUN_TEST(test_outputs_of_the_perpendicular_may_be_left_out);
   RUN_TEST(test_the_moment_is_that_of_equation_9_over_the_squared_sine);
+  RUN_TEST(test_the_largest_moments_are_told_like_small_ones);
   RUN_TEST(test_lengths_beyond_the_range_are_an_overflow);
   return SUITE_END();
 }

@@ -83,7 +83,7 @@ int chs_line_signed_anglef(const float A[6], const float B[6], const float about
  * lines to M.
  * Returns CHS_OK; CHS_INTERSECTING where it is no more than rounding, | d1.m2 + d2.m1 | <= 8 eps M; CHS_PARALLEL where
  * s <= 8 eps; CHS_COINCIDENT where also the distance is at most 8 eps M; CHS_ERR_NAN, CHS_ERR_INFINITE,
- * CHS_ERR_ARGUMENT, CHS_ERR_OVERFLOW. */
+ * CHS_ERR_ARGUMENT; CHS_ERR_OVERFLOW, which an M beyond half of the format's range can be whatever the distance is. */
 #define CHS_EPS_LINE_DISTANCE 5.0
 int chs_line_distance(const double A[6], const double B[6], double *distance);
 int chs_line_distancef(const float A[6], const float B[6], float *distance);
