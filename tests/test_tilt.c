@@ -252,6 +252,39 @@ static void test_opposite_tools_have_no_torsion(void) {
   }
 }
 
+/* Entries that are multiples of 2^-24, of which double has products and their sums exactly. */
+static void coarse(const real from[9], double drift, real R[9]) {
+  for (int i = 0; i < 9; i++) R[i] = rounded(0x1p-24 * round(0x1p24 * ((double)from[i] + uniform(-drift, drift))));
+}
+
+/* Nearer to pi than 1e-6 too, and of matrices whose drift counts for more than the tilt does. */
+static void test_torsion_near_a_tilt_of_pi_keeps_its_promise(void) {
+  for (int k = 0; k < 10 * CASES; k++) {
+    const double short_of_pi = log_uniform(1e-7, k % 3 ? 1 : 2e-6), drift = k % 2 ? 0 : log_uniform(1e-7, 1e-3);
+    real N[9], A[9], turned[9], alpha, beta;
+    double sine = 0, cosine = 0, squares = 0;
+    random_rotation(N);
+    FN(chs_tilt_to_rotation)((real)uniform(-PI, PI), (real)(PI - short_of_pi), (real)uniform(-PI, PI), turned);
+    FN(chs_so3_multiply)(N, turned, A);
+    coarse(N, drift, N);
+    coarse(A, drift, A);
+    for (int i = 0; i < 9; i += 3) {
+      sine += (double)N[i + 1] * (double)A[i] - (double)N[i] * (double)A[i + 1];
+      cosine += (double)N[i] * (double)A[i] + (double)N[i + 1] * (double)A[i + 1];
+    }
+    for (int i = 0; i < 9; i++) squares += pow((double)A[i] - (double)N[i], 2);
+    const double r = hypot(sine, cosine);
+    const int status = FN(chs_tilt_error)(N, A, &alpha, &beta);
+    if (r < 4 * EPS) ASSERT_STATUS(CHS_TORSION_UNDEFINED, status);
+    if (r > 12 * EPS) ASSERT_STATUS(CHS_OK, status);
+    if (status != CHS_OK) {
+      ASSERT_STATUS(CHS_TORSION_UNDEFINED, status);
+      TEST_ASSERT_TRUE(beta == 0);
+    } else
+      ASSERT_WITHIN_EPS(fabs(atan2(sine, cosine)), beta, CHS_EPS_TILT_ERROR_BETA, sqrt(squares) * fmax(1, 1 / r));
+  }
+}
+
 /* Two orientations, their error, and the same again after changes that must not matter. */
 typedef struct orientations {
   real nominal[9], actual[9], alpha, beta;
@@ -339,6 +372,7 @@ int main(void) {
   RUN_TEST(test_tiny_errors_are_resolved_to_their_own_size);
   RUN_TEST(test_tiny_errors_are_resolved_at_any_orientation);
   RUN_TEST(test_angles_near_a_tilt_of_pi_give_the_orientation_back);
+  RUN_TEST(test_torsion_near_a_tilt_of_pi_keeps_its_promise);
   RUN_TEST(test_opposite_tools_have_no_torsion);
   RUN_TEST(test_error_is_symmetric);
   RUN_TEST(test_error_is_the_same_in_every_frame);

@@ -23,11 +23,11 @@ extern "C" {
  *   nominal, actual  rotations to within CHS_SO3_FAR, in the same base frame.
  *   alpha, beta      in [0, pi]. At alpha = pi beta has no meaning and is 0.
  *
- * The errors: alpha relative to |d1 - d0|, which is 2 sin(alpha/2) for rotations; beta relative to |actual - nominal|,
- * Frobenius, times 1/(1 + cos(alpha)) above pi/2, where it is ever worse defined. Both at 1e-12 rad are as exact as
- * any.
- * Returns CHS_OK; CHS_TORSION_UNDEFINED where 1 + cos(alpha) is no more than rounding, so that beta is set to 0; and
- * what CHS_SO3_FAR says, of either matrix. */
+ * Let r be the length of the two arguments that beta's atan2 has, which for rotations is 1 + cos(alpha). The errors:
+ * alpha relative to |d1 - d0|, which is 2 sin(alpha/2) for rotations; beta relative to |actual - nominal|, Frobenius,
+ * times 1/r where r < 1, above pi/2, where it is ever worse defined. Both at 1e-12 rad are as exact as any.
+ * Returns CHS_OK; CHS_TORSION_UNDEFINED where r is no more than rounding, about 8 eps, so that beta is set to 0; and what
+ * CHS_SO3_FAR says, of either matrix. */
 #define CHS_EPS_TILT_ERROR_ALPHA 4.0
 #define CHS_EPS_TILT_ERROR_BETA 4.0
 int chs_tilt_error(const double nominal[9], const double actual[9], double *alpha, double *beta);

@@ -17,10 +17,11 @@ def evaluate_error(fmt, x):
     d0, d1 = exact.column(nominal, 2), exact.column(actual, 2)
     if exact.norm(exact.cross(d0, d1)) == 0 and exact.dot(d0, d1) < 0:
         return Result([+pi, mpf(0)], [+pi, +pi], (6,))
-    if 1 + cos(alpha) < 64 * fmt.eps:
+    r = exact.norm(exact.torsion_parts(nominal, actual))
+    if r < 64 * fmt.eps:
         raise Unclear  # the torsion may or may not be resolved
-    # The torsion of a tool that points backwards is badly conditioned: its sine and cosine are of size 1 + cos(alpha).
-    growth = max(mpf(1), 1 / (1 + cos(alpha)))
+    # The torsion of a tool that points backwards is badly conditioned: its sine and cosine are small.
+    growth = max(mpf(1), 1 / r)
     moved = exact.norm([d - c for c, d in zip(d0, d1)])
     turned = exact.norm([a - n for n, a in zip(nominal, actual)])
     return Result([alpha, beta], [moved, turned * growth])
@@ -61,6 +62,11 @@ def error_bands(fmt, rng):
         actual = fmt.round_all(exact.multiply(nominal, exact.multiply(exact.about_z(uniform(rng, -3, 3)), flip())))
         return nominal + [-nominal[i] if i % 3 == 2 else actual[i] for i in range(9)]
 
+    def drifted_near_pi(fmt, rng, k):
+        """Drift that counts for more than the tilt does."""
+        both = near_pi(fmt, rng, k)
+        return sampling.drift(fmt, rng, both[:9], True) + sampling.drift(fmt, rng, both[9:], True)
+
     def drifted(fmt, rng, k):
         nominal = sampling.random_rotation(fmt, rng)
         actual = exact.multiply(nominal, exact.exp(exact.times(magnitude(rng, 1e-3, 2.5), tool_axis(rng, k))))
@@ -68,6 +74,7 @@ def error_bands(fmt, rng):
 
     bands = [Band(name, count, near_pi if name == "near_pi" else build(name)) for name, count in TILT_BANDS.items()]
     bands += [Band("at_pi", 30, at_pi), Band("ordinary", 40, drifted, "drift")]
+    bands.append(Band("near_pi", 40, drifted_near_pi, "drift"))
     bands.append(Listed("tiny", [2 * sampling.random_rotation(fmt, rng) for _ in range(6)], "same"))
     other = fmt.round_all(exact.exp([mpf("-1.2"), mpf("0.4"), mpf("0.9")]))
     bands += cases_so3.rotation_errors(fmt, rng, lambda R: other + R, (0, 13, 17))

@@ -455,13 +455,17 @@ def tilt_to_rotation(azimuth, tilt, torsion):
     return multiply(about_z(azimuth), multiply(about_y(tilt), about_z(last)))
 
 
-def tilt_error(nominal, actual):
-    x0, y0, d0 = (column(nominal, j) for j in range(3))
-    x1, y1, d1 = (column(actual, j) for j in range(3))
+def torsion_parts(nominal, actual):
+    """Sine and cosine of the torsion between two orientations, both times 1 + cos of the tilt."""
+    x0, y0 = (column(nominal, j) for j in range(2))
+    x1, y1 = (column(actual, j) for j in range(2))
     with workprec(ALGEBRA_BITS):
-        s = dot(y0, x1) - dot(x0, y1)
-        c = dot(x0, x1) + dot(y0, y1)
-    return atan2(norm(cross(d0, d1)), dot(d0, d1)), abs(atan2(s, c))
+        return dot(y0, x1) - dot(x0, y1), dot(x0, x1) + dot(y0, y1)
+
+
+def tilt_error(nominal, actual):
+    d0, d1 = column(nominal, 2), column(actual, 2)
+    return atan2(norm(cross(d0, d1)), dot(d0, d1)), abs(atan2(*torsion_parts(nominal, actual)))
 
 
 def tilt_from_rotation(R):
