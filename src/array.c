@@ -47,32 +47,92 @@ static INLINE void scatter(real x[][LANES], int size, int lane, real *to) {
   for (int k = 0; k < size; k++) to[k] = k < 12 ? x[k][lane] : k < 15 ? K(0.0) : K(1.0);
 }
 
+/* Numbers of an element that are stored at once: as many as a vector holds. clang leaves nothing of rows and their
+ * copies where it has AVX, and there is quicker one by one. */
+#if defined(__clang__) && defined(__AVX__)
+enum { WIDE = 1 };
+#elif defined(CHS_SINGLE) || defined(__AVX__)
+enum { WIDE = 4 };
+#else
+enum { WIDE = 2 };
+#endif
+
+/* So many columns of a full block to where they belong. Compilers make the first loop shuffles of vectors and the second
+ * copies. No arithmetic beside them: gcc fuses a*b -+ c where results that lie side by side are stored together. */
+static APART void scatter_some(real x[restrict][LANES], real *restrict to, size_t stride) {
+  real rows[LANES][WIDE];
+  for (int lane = 0; lane < LANES; lane++)
+    for (int j = 0; j < WIDE; j++) rows[lane][j] = x[j][lane];
+  for (int lane = 0; lane < LANES; lane++) {
+    real *element = to + (size_t)lane * stride;
+    OVER_ROW
+    for (int j = 0; j < WIDE; j++) element[j] = rows[lane][j];
+  }
+}
+
+static INLINE void scatter_all(real x[][LANES], int size, real *to, size_t stride) {
+  static const real last[4] = {0, 0, 0, 1};
+  int columns = size < 12 ? size : 12, k = 0;
+  for (; WIDE > 1 && k + WIDE <= columns; k += WIDE) scatter_some(x + k, to + k, stride);
+  for (int lane = 0; lane < LANES; lane++) {
+    real *element = to + (size_t)lane * stride;
+    for (int rest = k; rest < columns; rest++) element[rest] = x[rest][lane];
+    OVER_ROW
+    for (int j = 0; j < size - 12; j++) element[12 + j] = last[j];
+  }
+}
+
 static INLINE int lanes_left(size_t n, size_t i) { return n - i < LANES ? (int)(n - i) : LANES; }
 
-typedef void kernel(block *b);
 typedef int single(const real *in, real *out);
 
-/* Each element by the kernel where it is ordinary, else by the single function. */
-static INLINE int for_all(size_t n, const real *x, size_t x_stride, int inputs, real *y, size_t y_stride, int outputs,
-                          int *statuses, kernel *ordinarily, single *any) {
+/* What a function gets and gives. */
+typedef struct arrays {
+  const real *x;
+  size_t x_stride;
+  real *y;
+  size_t y_stride;
+  int outputs;
+} arrays;
+
+static INLINE int all_ordinary(const real margin[LANES]) {
+  int ordinary_lanes = 0;
+  for (int lane = 0; lane < LANES; lane++) ordinary_lanes += margin[lane] > 0;
+  return ordinary_lanes == LANES;
+}
+
+/* What a block answers where it is ordinary, else what the single function does. */
+static INLINE void store(block *b, size_t i, int count, const arrays *of, single *any, answers *all) {
+  if (VECTORS && count == LANES && all_ordinary(b->margin)) {
+    scatter_all(b->x, of->outputs, of->y + i * of->y_stride, of->y_stride);
+    if (all->each)
+      for (int lane = 0; lane < LANES; lane++) all->each[i + (size_t)lane] = CHS_OK;
+    return;
+  }
+  for (int lane = 0; lane < count; lane++) {
+    size_t at = i + (size_t)lane;
+    real *to = of->y + at * of->y_stride;
+    int status = CHS_OK;
+    if (VECTORS && b->margin[lane] > 0)
+      scatter(b->x, of->outputs, lane, to);
+    else
+      status = any(of->x + at * of->x_stride, to);
+    note(all, at, status);
+  }
+}
+
+typedef void kernel(block *b);
+
+static INLINE int for_all(size_t n, const arrays *of, int inputs, int *statuses, kernel *ordinarily, single *any) {
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
     block b;
     int count = lanes_left(n, i);
     if (VECTORS) {
-      gather(x + i * x_stride, x_stride, inputs, count, b.x);
+      gather(of->x + i * of->x_stride, of->x_stride, inputs, count, b.x);
       ordinarily(&b);
     }
-    for (int lane = 0; lane < count; lane++) {
-      size_t at = i + (size_t)lane;
-      real *to = y + at * y_stride;
-      int status = CHS_OK;
-      if (VECTORS && b.margin[lane] > 0)
-        scatter(b.x, outputs, lane, to);
-      else
-        status = any(x + at * x_stride, to);
-      note(&all, at, status);
-    }
+    store(&b, i, count, of, any, &all);
   }
   return all.worst;
 }
@@ -103,34 +163,83 @@ static INLINE void put_rows(const real R[9], int lane, int apart, real x[][LANES
   put(R + 6, lane, 2 * apart, x);
 }
 
-static void so3_exp(block *b) {
-  for (int lane = 0; lane < LANES; lane++) {
-    real w[3], R[9];
-    get(b->x, lane, 0, w);
-    half_angle half = half_angle_within_pi(squared_length(w));
-    rotation_from_half_angle(w, half, R);
-    put_rows(R, lane, 3, b->x);
-    b->margin[lane] = CHS_PI_A * CHS_PI_A - half.tt;
-  }
-}
-
 /* 0, or NaN where a number is not finite. */
 static INLINE real nothing(const real v[3]) { return K(0.0) * v[0] + K(0.0) * v[1] + K(0.0) * v[2]; }
 
-static void se3_exp(block *b) {
+/* gcc puts numbers that lie apart into vectors one by one, which is quicker than to copy them to columns and to wait for
+ * those; clang has instructions gather them, which is slower. So exponentials read elements as they lie, or columns. */
+#if defined(__GNUC__) && !defined(__clang__)
+enum { FROM_ELEMENTS = 1 };
+#else
+enum { FROM_ELEMENTS = 0 };
+#endif
+
+static INLINE void get_from(const real *x, size_t stride, int lane, int first, real v[3]) {
+  const real *from = FROM_ELEMENTS ? x + (size_t)lane * stride + first : x + first * LANES + lane;
+  const int apart = FROM_ELEMENTS ? 1 : LANES;
+  v[0] = from[0];
+  v[1] = from[apart];
+  v[2] = from[2 * apart];
+}
+
+static APART void so3_exp(const real *restrict x, size_t stride, real y[restrict][LANES], real margin[restrict]) {
+  for (int lane = 0; lane < LANES; lane++) {
+    real w[3], R[9];
+    get_from(x, stride, lane, 0, w);
+    half_angle half = half_angle_within_pi(squared_length(w));
+    rotation_from_half_angle(w, half, R);
+    put_rows(R, lane, 3, y);
+    margin[lane] = CHS_PI_A * CHS_PI_A - half.tt;
+  }
+}
+
+static APART void se3_exp(const real *restrict x, size_t stride, real y[restrict][LANES], real margin[restrict]) {
   for (int lane = 0; lane < LANES; lane++) {
     real w[3], v[3], R[9], p[3];
-    get(b->x, lane, 0, w);
-    get(b->x, lane, 3, v);
+    get_from(x, stride, lane, 0, w);
+    get_from(x, stride, lane, 3, v);
     half_angle half = half_angle_within_pi(squared_length(w));
     rotation_from_half_angle(w, half, R);
     jacobian_times(w, half, v, p);
-    put_rows(R, lane, 4, b->x);
-    b->x[3][lane] = p[0];
-    b->x[7][lane] = p[1];
-    b->x[11][lane] = p[2];
-    b->margin[lane] = (CHS_PI_A * CHS_PI_A - half.tt) + nothing(p);
+    put_rows(R, lane, 4, y);
+    y[3][lane] = p[0];
+    y[7][lane] = p[1];
+    y[11][lane] = p[2];
+    margin[lane] = (CHS_PI_A * CHS_PI_A - half.tt) + nothing(p);
   }
+}
+
+/* The lanes are those of x, whose elements are so far apart if there are elements. */
+typedef void exponential(const real *restrict x, size_t stride, real y[restrict][LANES], real margin[restrict]);
+
+/* A block that is not full, as elements and with zeros for what is missing. */
+static INLINE void fill_up(const real *from, size_t stride, int size, int count, real *elements) {
+  for (int lane = 0; lane < LANES; lane++)
+    for (int k = 0; k < size; k++)
+      elements[lane * size + k] = lane < count ? from[(size_t)lane * stride + (size_t)k] : K(0.0);
+}
+
+static INLINE void exp_block(const real *x, size_t stride, int inputs, int count, exponential *ordinarily, block *b) {
+  real copies[6][LANES];
+  if (!FROM_ELEMENTS)
+    gather(x, stride, inputs, count, copies);
+  else if (count < LANES)
+    fill_up(x, stride, inputs, count, copies[0]);
+  if (FROM_ELEMENTS && count == LANES)
+    ordinarily(x, stride, b->x, b->margin);
+  else
+    ordinarily(copies[0], (size_t)inputs, b->x, b->margin);
+}
+
+static INLINE int exp_all(size_t n, const arrays *of, int inputs, int *statuses, exponential *ordinarily, single *any) {
+  answers all = {statuses, CHS_OK};
+  for (size_t i = 0; i < n; i += LANES) {
+    block b;
+    int count = lanes_left(n, i);
+    if (VECTORS) exp_block(of->x + i * of->x_stride, of->x_stride, inputs, count, ordinarily, &b);
+    store(&b, i, count, of, any, &all);
+  }
+  return all.worst;
 }
 
 /* What angle_from_square in angle.h answers, bit for bit, by selects. */
@@ -210,19 +319,23 @@ static void se3_log(block *b) {
 }
 
 int FN(chs_so3_exp_array)(size_t n, const real *w, size_t w_stride, real *R, size_t R_stride, int *statuses) {
-  return for_all(n, w, w_stride, 3, R, R_stride, 9, statuses, so3_exp, FN(chs_so3_exp));
+  const arrays of = {w, w_stride, R, R_stride, 9};
+  return exp_all(n, &of, 3, statuses, so3_exp, FN(chs_so3_exp));
 }
 
 int FN(chs_se3_exp_array)(size_t n, const real *V, size_t V_stride, real *T, size_t T_stride, int *statuses) {
-  return for_all(n, V, V_stride, 6, T, T_stride, 16, statuses, se3_exp, FN(chs_se3_exp));
+  const arrays of = {V, V_stride, T, T_stride, 16};
+  return exp_all(n, &of, 6, statuses, se3_exp, FN(chs_se3_exp));
 }
 
 int FN(chs_so3_log_array)(size_t n, const real *R, size_t R_stride, real *w, size_t w_stride, int *statuses) {
-  return for_all(n, R, R_stride, 9, w, w_stride, 3, statuses, so3_log, FN(chs_so3_log));
+  const arrays of = {R, R_stride, w, w_stride, 3};
+  return for_all(n, &of, 9, statuses, so3_log, FN(chs_so3_log));
 }
 
 int FN(chs_se3_log_array)(size_t n, const real *T, size_t T_stride, real *V, size_t V_stride, int *statuses) {
-  return for_all(n, T, T_stride, 12, V, V_stride, 6, statuses, se3_log, FN(chs_se3_log));
+  const arrays of = {T, T_stride, V, V_stride, 6};
+  return for_all(n, &of, 12, statuses, se3_log, FN(chs_se3_log));
 }
 
 void FN(chs_se3_compose_array)(size_t n, const real *A, size_t A_stride, const real *B, size_t B_stride, real *C,

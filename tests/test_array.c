@@ -77,6 +77,17 @@ static void test_se3_exp_is_the_single_one_for_every_element(void) {
   }
 }
 
+/* Whole blocks without an exception are stored in another way. */
+static void test_exps_of_nothing_but_ordinary_elements_are_the_single_ones(void) {
+  for (int round = 0; round < ROUNDS; round++) {
+    for (int i = 0; i < MOST_STRIDE * N; i++) in[i] = (real)uniform(-1.8, 1.8);
+    ASSERT_SAME_AS_SINGLE(so3_exp, 3 + round % 3, 9 + round % 4);
+    ASSERT_STATUS(CHS_OK, worst_of(wanted));
+    ASSERT_SAME_AS_SINGLE(se3_exp, 6 + round % 3, 16 + round % 4);
+    ASSERT_SAME_AS_SINGLE(so3_exp, 0, 9);
+  }
+}
+
 static void test_se3_exp_says_overflow_where_the_translation_does(void) {
   make_twists(in, 6, 6);
   for (int k = 0; k < 6; k++) in[k] = k < 3 ? K(1.0) : REAL_MAX;
@@ -224,6 +235,7 @@ int main(void) {
   SUITE_BEGIN();
   RUN_TEST(test_so3_exp_is_the_single_one_for_every_element);
   RUN_TEST(test_se3_exp_is_the_single_one_for_every_element);
+  RUN_TEST(test_exps_of_nothing_but_ordinary_elements_are_the_single_ones);
   RUN_TEST(test_se3_exp_says_overflow_where_the_translation_does);
   RUN_TEST(test_logs_are_the_single_ones_for_every_element);
   RUN_TEST(test_compose_and_apply_are_the_single_ones_also_in_place_and_with_one_pose_for_all);
