@@ -17,6 +17,10 @@ struct calls {
 extern const struct calls calls[];
 extern const int calls_count;
 
+/* Some of them, inlined; see inlined.c. */
+extern const struct calls inlined[];
+extern const int inlined_count;
+
 #ifdef __cplusplus
 }
 #endif

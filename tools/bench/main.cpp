@@ -35,7 +35,7 @@ constexpr double turn = 20e-6; /* seconds */
 constexpr double most = 2.0;   /* seconds for all rounds: slow functions have fewer, but at least */
 constexpr int least_rounds = 3;
 
-/* A function of the registry through its loop in calls.c. */
+/* A function of the registry through its loop in calls.c or inlined.c. */
 template <class Real> class own_task final : public task {
 public:
   explicit own_task(const struct calls &function) : function_(function) {}
@@ -60,16 +60,26 @@ private:
   std::vector<Real> out_;
 };
 
-library chasles() {
-  library own{"chasles", CHS_VERSION, {}};
-  for (int i = 0; i < calls_count; ++i) {
+void describe_calls(const struct calls *calls, int count, library &own) {
+  for (int i = 0; i < count; ++i) {
     const struct calls &function = calls[i];
     own.entries.push_back({function.name, false, 0, function.outputs,
                            [&function] { return std::make_unique<own_task<double> >(function); }, ""});
     own.entries.push_back({function.name, true, 0, function.outputs,
                            [&function] { return std::make_unique<own_task<float> >(function); }, ""});
   }
+}
+
+library chasles() {
+  library own{"chasles", CHS_VERSION, {}};
+  describe_calls(calls, calls_count, own);
   describe_chasles_scenes(own);
+  return own;
+}
+
+library chasles_inlined() {
+  library own{"chasles inlined", CHS_VERSION, {}};
+  describe_calls(inlined, inlined_count, own);
   return own;
 }
 
@@ -307,9 +317,9 @@ int main(int argc, char **argv) {
     return 2;
   }
   const int rounds = std::atoi(argv[3]);
-  std::vector<library> libraries = {chasles(), {}, {}};
-  describe_chasles_arrays(libraries[1]);
-  describe_memcpy(libraries[2]);
+  std::vector<library> libraries = {chasles(), chasles_inlined(), {}, {}};
+  describe_chasles_arrays(libraries[2]);
+  describe_memcpy(libraries[3]);
   std::vector<std::string> only;
   for (int i = 5; i < argc; ++i) {
     if (std::strncmp(argv[i], "--only=", 7) == 0)

@@ -16,8 +16,10 @@ WITHIN_PI = ["tiny", "small", "ordinary", "near_pi"]
 JUDGED = WITHIN_PI[1:]  # below 1e-150 squares underflow, which few have thought of: nobody is held to that
 EPS = {"double": 2.0**-52, "float": 2.0**-23}
 OWN = "chasles"
+OWN_INLINED = "chasles inlined"  # part of the loop, as peers that are header files are
 OWN_ARRAY = "chasles array"  # one call for all cases
 MEMCPY = "memcpy"  # of the points that a pose moves
+NOT_PEERS = (OWN_INLINED, OWN_ARRAY, MEMCPY)
 CLOUDS = ["cloud_in_cache", "cloud_beyond_cache"]
 FLAVOURS = {"O2": "-O2", "O3_native": "-O3 -march=native"}
 
@@ -52,7 +54,7 @@ class Results:
                 if name != OWN and self.time("O2", function, precision, name) is not None]
 
     def peers(self, function, precision):
-        return [name for name in self.others(function, precision) if name not in (OWN_ARRAY, MEMCPY)]
+        return [name for name in self.others(function, precision) if name not in NOT_PEERS]
 
     def has(self, function, precision):
         return self.time("O2", function, precision, OWN) is not None
@@ -176,6 +178,22 @@ def arrays(results):
     return table(["function", "double, O2", "times", "O3", "times", "float, O2", "times", "O3", "times"], rows)
 
 
+def inlined(results):
+    """The shortest functions called and inlined, and the fastest peer by the inlined one, in a loop over the same cases."""
+    rows = []
+    for function in results.functions:
+        for precision in EPS:
+            row = [f"{function}{'f' if precision == 'float' else ''}"]
+            for flavour in FLAVOURS:
+                own, copy = (results.time(flavour, function, precision, name) for name in (OWN, OWN_INLINED))
+                if copy is not None:
+                    ratio, name = results.fastest(flavour, function, precision, accurate=False)
+                    row += [shown_time(own), shown_time(copy), shown_ratio((ratio / copy["ratio"], name))]
+            if row[1:]:
+                rows.append(row)
+    return table(["function", "O2, called", "inlined", "fastest peer", "O3, called", "inlined", "fastest peer"], rows)
+
+
 def clouds(results):
     """What moving points takes by what copying them takes."""
     rows = []
@@ -237,6 +255,13 @@ pi but the tiny one.
 ## At a glance, -O3 -march=native, 1024 cases
 
 {overview(results, 'O3_native')}
+## What a call costs, 1024 ordinary cases
+
+Nanoseconds of the shortest functions: those of the library, which are called, and the same source as part of the loop,
+as peers that are header files are. Then how many times as long as the latter the fastest peer takes. What the compiler
+makes of a loop is not always quicker than the function that it calls. Columns O2 and O3 (with -march=native) as below.
+
+{inlined(results)}
 ## What no peer has, 1024 ordinary cases
 
 {alone(results)}
@@ -283,7 +308,7 @@ def draw(results, directory):
     most = 1 / EPS["double"]  # not a digit is right
     least = 0.3
     styles = {name: (f"C{i}", MARKERS[i % len(MARKERS)])
-              for i, name in enumerate(name for name in results.libraries if name not in (OWN, OWN_ARRAY, MEMCPY))}
+              for i, name in enumerate(name for name in results.libraries if name not in (OWN, *NOT_PEERS))}
     figure, axes = pyplot.subplots(2, 2, figsize=(9, 6), sharex=True, sharey=True, layout="constrained")
     handles = {}
     for panel, function in zip(axes.flat, PANELS):

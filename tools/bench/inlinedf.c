@@ -1,0 +1,2 @@
+#define CHS_SINGLE
+#include "inlined.c"
