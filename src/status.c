@@ -24,8 +24,8 @@ const char *chs_status_text(int status) {
   case CHS_ERR_NOT_ROTATION: return "a matrix is too far from a rotation";
   case CHS_ERR_REFLECTION: return "a matrix is a reflection";
   case CHS_ERR_SINGULAR: return "the result does not exist or is not unique";
-  case CHS_ERR_COINCIDENT: return "two points coincide";
-  case CHS_ERR_COLLINEAR: return "the points lie on a line";
+  case CHS_ERR_COINCIDENT: return "two points coincide to within the rounding of the coordinates";
+  case CHS_ERR_COLLINEAR: return "the points lie on a line to within the rounding of the coordinates";
   case CHS_ERR_NOT_RIGID: return "the points have changed their shape";
   case CHS_ERR_ARGUMENT: return "a count, an index, a weight or an option is outside its range";
   case CHS_ERR_TOO_FEW_POINTS: return "fewer than three points are left";

@@ -36,8 +36,8 @@ typedef enum chs_status {
   CHS_ERR_NOT_ROTATION = -5,    /* a matrix farther from orthonormal than CHS_SO3_FAR, or than the tolerance given */
   CHS_ERR_REFLECTION = -6,      /* a matrix with negative determinant */
   CHS_ERR_SINGULAR = -7,        /* the result does not exist or is not unique */
-  CHS_ERR_COINCIDENT = -8,      /* two of the points coincide to within rounding */
-  CHS_ERR_COLLINEAR = -9,       /* the points lie on a line to within rounding */
+  CHS_ERR_COINCIDENT = -8,      /* two of the points coincide to within the rounding of the coordinates */
+  CHS_ERR_COLLINEAR = -9,       /* the points lie on a line to within the rounding of the coordinates */
   CHS_ERR_NOT_RIGID = -10,      /* the points have changed their shape by more than the tolerance given */
   CHS_ERR_ARGUMENT = -11,       /* a count, an index, a weight or an option is outside its range */
   CHS_ERR_TOO_FEW_POINTS = -12, /* fewer than three points are left */

@@ -66,6 +66,9 @@ sed -e 's/,/;/g' -e 's/0.5;2/ "0.5" ; 2.0e0 /' -e 's/$/\r/' trial.csv >>style.cs
 printf '\r\n\r\n' >>style.csv
 run 1 solve --markers A,B,C --out - style.csv
 cmp -s out expected || fail "semicolons, quotes and line ends make a difference"
+sed 's/NaN/-nan/' trial.csv | tr '\n' '\r' >style.csv
+run 1 solve --markers A,B,C --out - style.csv
+cmp -s out expected || fail "carriage returns alone make a difference"
 tr , '\t' <trial.csv >style.csv
 run 1 solve --markers A,B,C --out - - <style.csv
 cmp -s out expected || fail "tabs make a difference"
@@ -129,11 +132,34 @@ A_x,A_y,A_z,B_x,B_y,B_z,C_x,C_y,C_z
 0,0,0,0,1,0,-2,0,0
 END
 run 1 solve blame.csv
-out_has 'the reference, frame 1: the points lie on a line'
+out_has 'the reference, frame 1, coordinates up to 3: the points lie on a line'
 err_is 'chasles: all frames fail against the reference, frame 1: it may be to blame; try --against another frame'
 run 1 solve --against 2 --out - blame.csv
-line 2 '1,2,least-squares,,,,,,,,,,-9,"frame 1: the points lie on a line"'
+line 2 '1,2,least-squares,,,,,,,,,,-9,"frame 1, coordinates up to 3: the points lie on a line to within the rounding of the coordinates"'
 sed -n 4p out | grep -q '^3,2,least-squares,1.57' || fail "frame 3 should be solved against frame 2"
+
+# Numbers as no camera gives them: told of the frame that has them, and the others are solved all the same.
+cat >absurd.csv <<'END'
+A_x,A_y,A_z,B_x,B_y,B_z,C_x,C_y,C_z
+0,0,0,1,0,0,0,1,0
+1e300,0,0,0,1,0,-1,0,0
+0,0,0,0,1e300,0,-1e300,0,0
+1e-300,0,0,0,1,0,-1,1e-400,0
+END
+run 1 solve --out - absurd.csv
+line 3 '2,1,least-squares,,,,,,,,,,-8,"frame 2, coordinates up to 1e+300: two points coincide to within the rounding of the coordinates"'
+line 4 '3,1,least-squares,,,,,,,,,,-8,"frames 1 and 3 beside each other, coordinates up to 1e+300: two points coincide to within the rounding of the coordinates"'
+sed -n 5p out | grep -q '^4,1,least-squares,1.57' || fail "frame 4 should be solved"
+for unit in 1e-300 1e300; do
+  head -n 2 absurd.csv >unit.csv
+  echo '0,0,0,0,1,0,-1,0,0' >>unit.csv
+  sed -i "2,\$s/1/$unit/g" unit.csv
+  run 0 solve --out - unit.csv
+  sed -n 3p out | grep -q '^2,1,least-squares,1.57' || fail "$unit is a length as good as any"
+done
+run 1 solve --against 2 absurd.csv
+out_has 'the reference, frame 2, coordinates up to 1e+300: two points coincide'
+
 run 1 solve trial.csv
 err_is 'chasles: no --markers given: the first 3 are taken of
  A B C D'
@@ -197,8 +223,11 @@ malformed '1s/C_\(.\)_m/C_\1_mm/g' 1 "the unit 'm' of marker A for C as well, fo
 malformed '1s/[ABC]_//g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'D'"
 malformed '1s/_\([xyz]\)_/ \1 /g' 1 "columns NAME_x, NAME_y, NAME_z of at least 3 markers, found 'A x m'"
 malformed '1,$d' 1 'a row of column names, found the end of the file'
-malformed '4s/,$//' 4 '14 cells, found 13'
-malformed '4s/$/,/' 4 '14 cells, found 15'
+malformed '4s/,$//' 4 '14 cells parted by commas, found 13'
+malformed '4s/$/,/' 4 '14 cells parted by commas, found 15'
+malformed '4s/,/;/g' 4 '14 cells parted by commas, found 1'
+malformed '4s/,/;/' 4 '14 cells parted by commas, found 13'
+malformed '4,$s/$/\x00/' 4 'text, found a zero byte'
 malformed '3s/2/2 m/' 3 "a position in column 2: a number with a decimal point, found '2 m'"
 malformed '3s/2/inf/' 3 "a position in column 2: a number with a decimal point, found 'inf'"
 malformed '3s/2/0x2/' 3 "a position in column 2: a number with a decimal point, found '0x2'"

@@ -211,7 +211,7 @@ void markers_close(struct markers *markers) {
 }
 
 static bool is_missing(const char *cell) {
-  return *cell == '\0' || strcasecmp(cell, "nan") == 0 || strcasecmp(cell, "na") == 0;
+  return *cell == '\0' || strcasecmp(cell, "nan") == 0 || strcasecmp(cell, "-nan") == 0 || strcasecmp(cell, "na") == 0;
 }
 
 /* A decimal number; a missing one is NaN. */
@@ -229,8 +229,9 @@ enum text_result markers_next(struct markers *markers, const int *chosen, int co
   const int cells = split_row(markers);
   if (cells < 0) return TEXT_ERROR;
   if (cells != markers->columns) {
-    fprintf(stderr, "%s:%ld: expected %d cells, found %d\n", markers->text.name, markers->text.line, markers->columns,
-            cells);
+    const char *separator = markers->separator == ',' ? "commas" : markers->separator == ';' ? "semicolons" : "tabs";
+    fprintf(stderr, "%s:%ld: expected %d cells parted by %s, found %d\n", markers->text.name, markers->text.line,
+            markers->columns, separator, cells);
     return TEXT_ERROR;
   }
   frame->number = ++markers->frame;

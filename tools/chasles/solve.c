@@ -389,17 +389,30 @@ static int solve_pair(const struct run *run, const struct method *method, const 
   return chs_motion_fit((size_t)run->body, initial, final, weights_of(run), NULL, tolerance, screw, T, NULL);
 }
 
-/* Which frame is to blame for a failure: one whose markers do not even make a body by themselves. */
+static double largest_coordinate(const struct run *run, const struct frame *frame) {
+  double largest = 0.0;
+  for (int i = 0; i < 3 * run->body; ++i) {
+    if (frame->present[i / 3] && fabs(frame->points[i]) > largest) largest = fabs(frame->points[i]);
+  }
+  return largest;
+}
+
+/* Which frame is to blame for a failure: one whose markers do not even make a body by themselves; or both, where one is
+ * lost beside the other. How large their coordinates are tells whether a stray number is the reason. */
 static const char *blame(const struct run *run, const struct result *result, const struct frame *frame) {
-  static char text[64];
+  static char text[128];
   const struct frame *frames[] = {&run->reference, frame};
   for (int i = 0; i < 2; ++i) {
     const double *points = frames[i]->points;
     if (solve_pair(run, result->method, points, points, NULL, NULL) >= 0) continue;
-    snprintf(text, sizeof text, "%sframe %ld: ", i == 0 ? "the reference, " : "", frames[i]->number);
+    snprintf(text, sizeof text, "%sframe %ld, coordinates up to %g: ", i == 0 ? "the reference, " : "",
+             frames[i]->number, largest_coordinate(run, frames[i]));
     return text;
   }
-  return "";
+  if (result->status != CHS_ERR_COINCIDENT && result->status != CHS_ERR_COLLINEAR) return "";
+  snprintf(text, sizeof text, "frames %ld and %ld beside each other, coordinates up to %g: ", run->reference.number,
+           frame->number, fmax(largest_coordinate(run, &run->reference), largest_coordinate(run, frame)));
+  return text;
 }
 
 static double rms_of(const struct run *run, const double *initial, const struct frame *frame, const double *T) {

@@ -77,11 +77,14 @@ enum text_result text_expected(const struct text *text, const char *found, const
   return TEXT_ERROR;
 }
 
+/* A line ends with a line feed, a carriage return, or both. */
+static bool is_end(int c) { return c == '\n' || c == '\r'; }
+
 enum text_result text_next(struct text *text) {
   size_t length = 0;
   int c = getc(text->file);
   if (c != EOF || text->line == 0) ++text->line; /* an empty file ends in its first line */
-  while (c != EOF && c != '\n') {
+  while (c != EOF && !is_end(c)) {
     if (c == '\0') {
       fprintf(stderr, "%s:%ld: expected text, found a zero byte\n", text->name, text->line);
       return TEXT_ERROR;
@@ -94,13 +97,14 @@ enum text_result text_next(struct text *text) {
     text->buffer[length++] = (char)c;
     c = getc(text->file);
   }
+  const int next = c == '\r' ? getc(text->file) : '\n';
+  if (next != '\n' && next != EOF) ungetc(next, text->file);
   if (ferror(text->file)) {
     complain("cannot read %s: %s", text->name, strerror(errno));
     return TEXT_ERROR;
   }
   if (c == EOF && length == 0) return TEXT_END;
-  text->ended = c == '\n';
-  if (length > 0 && text->buffer[length - 1] == '\r') --length;
+  text->ended = is_end(c);
   text->buffer[length] = '\0';
   return TEXT_LINE;
 }

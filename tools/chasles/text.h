@@ -15,9 +15,9 @@ struct text {
   FILE *file;
   const char *name; /* as the user wrote it; the caller keeps it */
   long line;        /* number of the line last read, from 1 */
-  char *buffer;     /* that line, without its line feed or carriage return */
+  char *buffer;     /* that line, without its end: a line feed, a carriage return, or both */
   size_t limit;     /* longest line accepted */
-  bool ended;       /* whether that line had a line feed */
+  bool ended;       /* whether that line had an end */
 };
 
 enum text_result { TEXT_LINE, TEXT_END, TEXT_ERROR };
