@@ -5,8 +5,12 @@
 
 #include "line_private.h"
 
-/* The point nearer to the origin. */
-static const real *nearer(const real a[3], const real b[3]) { return norm(b, 3) < norm(a, 3) ? b : a; }
+/* The point nearer to the origin. Where one square underflows the other point's does not, or both are 0. */
+static const real *nearer(const real a[3], const real b[3]) {
+  real x = largest(a, 3), y = largest(b, 3), scale = safe_to_square(x > y ? x : y);
+  const real p[3] = {scale * a[0], scale * a[1], scale * a[2]}, q[3] = {scale * b[0], scale * b[1], scale * b[2]};
+  return dot(q, q) < dot(p, p) ? b : a;
+}
 
 void FN(chs_line_raw_from_points)(const real a[3], const real b[3], real L[6]) {
   real d[3], m[3];

@@ -101,8 +101,8 @@ int FN(chs_screw_axis_parts)(const real S[6], real q[3], real s[3], real *h) {
   int status = finiteness_at_a_glance(S, 6);
   if (status != CHS_OK) return status;
   real e[3], m[3], point[3], pitch;
-  if (largest(S, 6) == 0) return CHS_ERR_SINGULAR;
   if (largest(S, 3) == 0) {
+    if (largest(S + 3, 3) == 0) return CHS_ERR_SINGULAR;
     unit(S + 3, s);
     copy(none, 3, q);
     *h = (real)INFINITY;
@@ -121,8 +121,8 @@ int FN(chs_screw_axis_pitch)(const real S[6], real *h) {
   int status = finiteness_at_a_glance(S, 6);
   if (status != CHS_OK) return status;
   real e[3], m[3], pitch;
-  if (largest(S, 6) == 0) return CHS_ERR_SINGULAR;
   if (largest(S, 3) == 0) {
+    if (largest(S + 3, 3) == 0) return CHS_ERR_SINGULAR;
     *h = (real)INFINITY;
     return CHS_PURE_TRANSLATION;
   }
