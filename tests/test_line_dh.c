@@ -329,6 +329,15 @@ static void test_wrong_arguments_are_refused_and_nothing_is_written(void) {
   }
 }
 
+/* Two axes along z, where |m| is beyond the range and nothing else. */
+static void test_axes_as_far_as_can_be_do_not_coincide(void) {
+  const real far = K(0.9) * REAL_MAX, home[16] = {1, 0, 0, -far, 0, 1, 0, far, 0, 0, 1, 0, 0, 0, 0, 1};
+  const real axes[12] = {0, 0, 1, far, far / 2, 0, 0, 0, 1, far, far, 0};
+  real dh[8];
+  ASSERT_STATUS(CHS_PARALLEL, FN(chs_line_to_dh)(2, CHS_DH_STANDARD, axes, home, 0, dh, NULL, NULL));
+  ASSERT_WITHIN_EPS(-far / 2, dh[0], 1, far);
+}
+
 static void test_lengths_beyond_the_range_are_an_overflow(void) {
   const real dh[8] = {REAL_MAX, 0, 0, 0, REAL_MAX, 0, 0, 0};
   const real axes[12] = {0, 0, 1, 0, -REAL_MAX, 0, 0, 0, 1, 0, REAL_MAX, 0};
@@ -354,6 +363,7 @@ int main(void) {
   RUN_TEST(test_a_base_and_a_tool_may_be_left_out);
   RUN_TEST(test_poses_may_overlap_poses);
   RUN_TEST(test_wrong_arguments_are_refused_and_nothing_is_written);
+  RUN_TEST(test_axes_as_far_as_can_be_do_not_coincide);
   RUN_TEST(test_lengths_beyond_the_range_are_an_overflow);
   return SUITE_END();
 }
