@@ -152,14 +152,15 @@ static INLINE int add_point(motion_sums *s, const run *point) {
   return status;
 }
 
-static run rest_of(run r, size_t done) {
-  run rest = {r.count - done, r.initial + 3 * done, r.final + 3 * done, r.weights ? r.weights + done : NULL};
+static run rest_of(const run *r, size_t done) {
+  run rest = {r->count - done, r->initial + 3 * done, r->final + 3 * done, r->weights ? r->weights + done : NULL};
   return rest;
 }
 
 /* Blocks of points as long as they are ordinary, single ones where they are not. Weights are only looked at where a whole
  * block's are too many. */
-static int add_run(motion_sums *s, run r) {
+static int add_run(motion_sums *s, const run *all) {
+  run r = rest_of(all, 0);
   if (r.count > 0 && s->points == 0) settle(s, &r);
   while (r.count > 0) {
     size_t block = r.count < BLOCK ? r.count : BLOCK;
@@ -169,12 +170,12 @@ static int add_run(motion_sums *s, run r) {
       singly = count_within(room, &r);
       done = singly > 1 && singly < block ? add_block(s, &r, singly, room) : 0;
     }
-    r = rest_of(r, done);
+    r = rest_of(&r, done);
     if (done == 0 && singly == 0) singly = 1;
     for (size_t i = done; i < singly; i++) {
       int status = add_point(s, &r);
       if (status < 0) return status;
-      r = rest_of(r, 1);
+      r = rest_of(&r, 1);
     }
   }
   return CHS_OK;
@@ -192,36 +193,47 @@ typedef struct cloud {
   real reduce;  /* the power of two */
 } cloud;
 
+/* Sum of w |x|^2 about the centroid, m away. */
+static real central_square(real square, real w, const real m[3]) {
+  real rest = square - w * dot(m, m);
+  return rest < 0 ? K(0.0) : rest;
+}
+
+/* A row of H = sum of w y x^T about the centroids, times the power of two, from that about others. */
+static void central_products(const real about[3], real wy, const real mean[3], real reduce, real row[3]) {
+  row[0] = reduce * (about[0] - wy * mean[0]);
+  row[1] = reduce * (about[1] - wy * mean[1]);
+  row[2] = reduce * (about[2] - wy * mean[2]);
+}
+
 /* NaN where not even one component is a number. */
 static int read_cloud(const motion_sums *s, cloud *c) {
-  real w = total(s, WEIGHT), share = K(1.0) / w, unscale = K(1.0) / s->scale, mean[6], size[2];
-  for (int k = 0; k < 6; k++) {
-    mean[k] = share * total(s, FIRST + k);
-    c->offset[k] = mean[k] * unscale;
-  }
+  real t[SUMS], w, share, unscale = K(1.0) / s->scale, *mean = t + FIRST, size[2];
+  for (int k = 0; k < SUMS; k++) t[k] = total(s, k);
+  w = t[WEIGHT];
+  share = K(1.0) / w;
+  multiply_by(share, mean);
+  multiply_by(share, mean + 3);
+  copy3(mean, c->offset);
+  copy3(mean + 3, c->offset + 3);
+  multiply_by(unscale, c->offset);
+  multiply_by(unscale, c->offset + 3);
   for (int k = 0; k < 2; k++) {
-    const real *m = mean + 3 * k;
-    c->squares[k] = total(s, SQUARES + k) - w * dot(m, m);
-    if (c->squares[k] < 0) c->squares[k] = 0;
+    c->squares[k] = central_square(t[SQUARES + k], w, mean + 3 * k);
     size[k] = SQRT(share * c->squares[k]);
     c->size[k] = size[k] * unscale;
   }
   c->N = (w * size[0]) * size[1];
-  for (int i = 0; i < 3; i++) {
-    c->center[i] = s->about[i] + c->offset[i];
-    c->travel[i] = (s->about[3 + i] - s->about[i]) + (c->offset[3 + i] - c->offset[i]);
-  }
+  copy3(s->about, c->center);
+  add_to(c->center, c->offset);
+  subtract(s->about + 3, s->about, c->travel);
+  for (int i = 0; i < 3; i++) c->travel[i] += c->offset[3 + i] - c->offset[i];
   if (!(c->N <= REAL_MAX)) return CHS_ERR_OVERFLOW;
   for (int k = 0; k < 2; k++)
     if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
   real reduce = c->N > MODEST || c->N * MODEST < 1 ? EPS / power_of_two_below(EPS * c->N) : K(1.0);
   c->reduce = reduce;
-  for (int i = 0; i < 9; i += 3) {
-    real wy = w * mean[3 + i / 3];
-    c->H[i] = reduce * (total(s, PRODUCTS + i) - wy * mean[0]);
-    c->H[i + 1] = reduce * (total(s, PRODUCTS + i + 1) - wy * mean[1]);
-    c->H[i + 2] = reduce * (total(s, PRODUCTS + i + 2) - wy * mean[2]);
-  }
+  for (int i = 0; i < 3; i++) central_products(t + PRODUCTS + 3 * i, w * mean[3 + i], mean, reduce, c->H + 3 * i);
   c->squares[0] *= reduce;
   c->squares[1] *= reduce;
   c->N *= reduce;
@@ -271,12 +283,16 @@ static int largest_trace(const cloud *c, real det, real HH, real CC, best_rotati
   return set_trace(c, lambda, a, det, HH, best);
 }
 
+static INLINE real dot_of_columns(const real *a, const real *b) { return a[0] * b[0] + a[3] * b[3] + a[6] * b[6]; }
+
 /* G = H^T H + diagonal I */
 static void gram(const real H[9], real diagonal, real G[9]) {
-  for (int j = 0; j < 3; j++)
-    for (int k = j; k < 3; k++)
-      G[3 * j + k] = G[3 * k + j] =
-          H[j] * H[k] + H[3 + j] * H[3 + k] + H[6 + j] * H[6 + k] + (j == k ? diagonal : K(0.0));
+  G[0] = dot_of_columns(H, H) + diagonal;
+  G[4] = dot_of_columns(H + 1, H + 1) + diagonal;
+  G[8] = dot_of_columns(H + 2, H + 2) + diagonal;
+  G[1] = G[3] = dot_of_columns(H, H + 1);
+  G[2] = G[6] = dot_of_columns(H, H + 2);
+  G[5] = G[7] = dot_of_columns(H + 1, H + 2);
 }
 
 /* R = ((a/2 + |H|^2) H + lambda cof(H) - H H^T H) / det A (Markley 1993), which has rounding errors of its own; C is
@@ -286,7 +302,9 @@ static void first_guess(const cloud *c, real HH, real C[9], best_rotation *best)
   gram(c->H, -(K(0.5) * best->a + HH), G);
   for (int i = 0; i < 9; i += 3) {
     rotate_back(G, c->H + i, row);
-    for (int j = 0; j < 3; j++) C[i + j] = best->curvature * (best->trace * C[i + j] - row[j]);
+    multiply_by(best->trace, C + i);
+    subtract(C + i, row, C + i);
+    multiply_by(best->curvature, C + i);
   }
   best->q = quaternion_of(C);
 }
@@ -296,7 +314,9 @@ static void times_inverse(const real H[9], const best_rotation *best, const real
   real Hg[3], rest = K(0.5) * best->a;
   rotate(H, g, Hg);
   rotate_back(H, Hg, u);
-  for (int i = 0; i < 3; i++) u[i] = best->curvature * (u[i] + rest * g[i]);
+  u[0] = best->curvature * (u[0] + rest * g[0]);
+  u[1] = best->curvature * (u[1] + rest * g[1]);
+  u[2] = best->curvature * (u[2] + rest * g[2]);
 }
 
 /* Newton's step on the rotations. trace(R^T H) is q.(K q) / q.q with Davenport's K; its gradient is the vector part of
@@ -314,12 +334,16 @@ static int improve(const cloud *c, best_rotation *best, real *trace) {
   const real u[3] = {ux, uy, uz};
   real g[3], turn[3], vxw[3];
   cross(u, v, g);
-  for (int i = 0; i < 3; i++) g[i] = share * (g[i] + (w * u[i] - uw * v[i]));
+  g[0] = share * (g[0] + (w * ux - uw * v[0]));
+  g[1] = share * (g[1] + (w * uy - uw * v[1]));
+  g[2] = share * (g[2] + (w * uz - uw * v[2]));
   times_inverse(H, best, g, turn);
   *trace = share * (dot(u, v) + w * uw) + K(0.5) * dot(g, turn);
   cross(v, turn, vxw);
   real along = dot(v, turn), error = K(4.0) * EPS * best->condition, turned = dot(turn, turn);
-  for (int i = 0; i < 3; i++) q->v[i] += K(0.5) * (w * turn[i] + vxw[i]);
+  q->v[0] += K(0.5) * (w * turn[0] + vxw[0]);
+  q->v[1] += K(0.5) * (w * turn[1] + vxw[1]);
+  q->v[2] += K(0.5) * (w * turn[2] + vxw[2]);
   q->w -= K(0.5) * along;
   if (q->w < 0) negate(q);
   return turned > EPS / K(16.0) && turned > error * error;
@@ -382,7 +406,8 @@ static int displace(const cloud *c, best_rotation *best, screw *out, real T[16])
   settle_half_turn(q, zone, n);
   rotation_from_quaternion(q, vv + q->w * q->w, R);
   rotate(R, c->center, p);
-  for (int i = 0; i < 3; i++) p[i] = (c->center[i] - p[i]) + c->travel[i];
+  subtract(c->center, p, p);
+  add_to(p, c->travel);
   if (!all_finite(p, 3)) return CHS_ERR_OVERFLOW;
   if (out || !axis_within(c, n)) {
     screw s;
@@ -431,11 +456,11 @@ int FN(chs_motion_add)(motion_sums *s, const real initial[3], const real final[3
 
 /* The stretches of points that are there. */
 static int add_all(motion_sums *s, const run *all, const unsigned char *missing) {
-  if (!missing) return add_run(s, *all);
+  if (!missing) return add_run(s, all);
   for (size_t i = 0; i < all->count;) {
-    run stretch = rest_of(*all, i);
+    run stretch = rest_of(all, i);
     for (stretch.count = 0; i < all->count && !missing[i]; i++) stretch.count++;
-    int status = add_run(s, stretch);
+    int status = add_run(s, &stretch);
     if (status < 0) return status;
     for (; i < all->count && missing[i]; i++) s->missing++;
   }
