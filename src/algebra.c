@@ -5,7 +5,27 @@
 
 #include "pose.h"
 
+/* A row of three goes as one vector of four, where vectors are that long. The fourth number is none: the next row takes its
+ * place. That of B's last row is one that compilers have at hand, so that they need not go through memory for it. */
+#if VECTORS && defined(CHS_SINGLE)
+static inline void multiply_row(const real A[3], const real B[7], const real last[4], real row[4]) {
+  OVER_ROW
+  for (int j = 0; j < 4; j++) row[j] = A[0] * B[j] + A[1] * B[3 + j] + A[2] * last[j];
+}
+
+void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) {
+  const real last[4] = {B[6], B[7], B[8], B[5]};
+  real rows[3][4];
+  multiply_row(A, B, last, rows[0]);
+  multiply_row(A + 3, B, last, rows[1]);
+  multiply_row(A + 6, B, last, rows[2]);
+  copy_row(rows[0], C);
+  copy_row(rows[1], C + 3);
+  copy3(rows[2], C + 6);
+}
+#else
 void FN(chs_so3_multiply)(const real A[9], const real B[9], real C[9]) { multiply(A, B, C); }
+#endif
 
 void FN(chs_so3_transpose)(const real A[9], real B[9]) { transpose(A, B); }
 
