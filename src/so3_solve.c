@@ -26,9 +26,9 @@ static int take(place *p) {
   return finiteness(p->f, 3);
 }
 
-/* The same at the rotation nearest to R, the only one that can be an answer: starts and turns drift. */
+/* The same where R is a rotation, for only that can be an answer: starts and turns drift. */
 static int settle(place *p) {
-  FN(chs_so3_nearest)(p->R, p->R, NULL);
+  if (FN(chs_p_deviation)(p->R) > K(4.0) * EPS) FN(chs_so3_nearest)(p->R, p->R, NULL);
   return take(p);
 }
 

@@ -158,11 +158,11 @@ int chs_so3_checkf(const float R[9], float tolerance);
  *   residual   writes f(R), three numbers, and returns a chs_status; an error of it shortens the step
  *              that led there; at the start and in the derivatives it ends the search and is returned.
  *   context    is handed to it.
- *   start      a rotation to within CHS_SO3_FAR; the search begins at the rotation nearest to it. The solution found is
- *              that of its neighbourhood, not always the nearest.
+ *   start      a rotation to within CHS_SO3_FAR. Where chs_so3_deviation of it is above 4 eps the rotation nearest to
+ *              it takes its place. The solution found is that of its neighbourhood, not always the nearest.
  *   tolerance  |f| that counts as solved, >= 0.
  *   limit      the most steps, >= 0. A step calls the residual 7 to 14 times.
- *   R          the rotation.
+ *   R          the rotation; its chs_so3_deviation is at most 4 eps.
  *   rest       |f| at it; may be NULL.
  *
  * The error of R is what the tolerance and the residual's own errors leave open, times the norm of the inverse of the
