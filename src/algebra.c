@@ -45,31 +45,7 @@ void FN(chs_se3_to_parts)(const real T[16], real R[9], real p[3]) {
   copy3(t, p);
 }
 
-/* A row of A B from that of A. To add -0 changes no number. */
-static inline void compose_row(const real A[4], const real B[12], real row[4]) {
-  static const real last[4] = {0, 0, 0, 1};
-  real p[4];
-  OVER_ROW
-  for (int j = 0; j < 4; j++) {
-    real entry = A[j];
-    p[j] = last[j] > 0 ? entry : K(-0.0);
-  }
-  combine_rows(A[0], A[1], A[2], B, row);
-  OVER_ROW
-  for (int j = 0; j < 4; j++) row[j] += p[j];
-}
-
-void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) {
-  real rows[3][4];
-  compose_row(A, B, rows[0]);
-  compose_row(A + 4, B, rows[1]);
-  compose_row(A + 8, B, rows[2]);
-  copy_row(rows[0], C);
-  copy_row(rows[1], C + 4);
-  copy_row(rows[2], C + 8);
-  C[12] = C[13] = C[14] = 0;
-  C[15] = 1;
-}
+void FN(chs_se3_compose)(const real A[16], const real B[16], real C[16]) { compose(A, B, C); }
 
 /* Turning rows into columns is quick where each is one vector, and slower than number by number where it is two. */
 #if defined(CHS_SINGLE) || defined(__AVX__)

@@ -341,7 +341,14 @@ int FN(chs_se3_log_array)(size_t n, const real *T, size_t T_stride, real *V, siz
 void FN(chs_se3_compose_array)(size_t n, const real *A, size_t A_stride, const real *B, size_t B_stride, real *C,
                                size_t C_stride) {
   /* Not in blocks: taking 24 numbers apart and putting 16 together costs more than the products. */
-  for (size_t i = 0; i < n; i++) FN(chs_se3_compose)(A + i * A_stride, B + i * B_stride, C + i * C_stride);
+  for (size_t i = 0; i < n; i++) {
+    const real *a = A + i * A_stride, *b = B + i * B_stride;
+    real *c = C + i * C_stride;
+    if (VECTORS)
+      compose(a, b, c);
+    else
+      FN(chs_se3_compose)(a, b, c);
+  }
 }
 
 static inline void move_points(size_t n, const real pose[12], const real *x, size_t x_stride, real *y,

@@ -9,6 +9,8 @@
 #define join(...) FN(chs_p_join)(__VA_ARGS__)
 #define copy_row(...) FN(chs_p_copy_row)(__VA_ARGS__)
 #define combine_rows(...) FN(chs_p_combine_rows)(__VA_ARGS__)
+#define compose_row(...) FN(chs_p_compose_row)(__VA_ARGS__)
+#define compose(...) FN(chs_p_compose)(__VA_ARGS__)
 #define transform(...) FN(chs_p_transform)(__VA_ARGS__)
 #define put_row(...) FN(chs_p_put_row)(__VA_ARGS__)
 #define put_blocks(...) FN(chs_p_put_blocks)(__VA_ARGS__)
@@ -61,6 +63,33 @@ SHARED void copy_row(const real a[4], real b[4]) {
 SHARED void combine_rows(real a, real b, real c, const real T[12], real row[4]) {
   OVER_ROW
   for (int j = 0; j < 4; j++) row[j] = a * T[j] + b * T[4 + j] + c * T[8 + j];
+}
+
+/* A row of A B from that of A. To add -0 changes no number. */
+static inline void compose_row(const real A[4], const real B[12], real row[4]) {
+  static const real last[4] = {0, 0, 0, 1};
+  real p[4];
+  OVER_ROW
+  for (int j = 0; j < 4; j++) {
+    real entry = A[j];
+    p[j] = last[j] > 0 ? entry : K(-0.0);
+  }
+  combine_rows(A[0], A[1], A[2], B, row);
+  OVER_ROW
+  for (int j = 0; j < 4; j++) row[j] += p[j];
+}
+
+/* C = A B; C may be A or B. Not SHARED: there is one copy where size counts. */
+static INLINE void compose(const real A[16], const real B[16], real C[16]) {
+  real rows[3][4];
+  compose_row(A, B, rows[0]);
+  compose_row(A + 4, B, rows[1]);
+  compose_row(A + 8, B, rows[2]);
+  copy_row(rows[0], C);
+  copy_row(rows[1], C + 4);
+  copy_row(rows[2], C + 8);
+  C[12] = C[13] = C[14] = 0;
+  C[15] = 1;
 }
 
 /* y = R x + p; y may be x. */
