@@ -16,9 +16,8 @@ typedef chs_motion_quality motion_quality;
 enum { BLOCK = 128 };
 
 /* The sums stay about the same two points until the weight is so many times what their mean was taken of. So they are
- * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud in the end, in whatever order points
- * come. */
-#define REACH K(8.0)
+ * never farther from the centroids than sqrt(REACH - 1) times the size of the cloud, in whatever order points come. */
+#define REACH K(2.0)
 
 /* Sums between it and its inverse can be raised to the fourth power and leave room for what is small beside them. */
 #ifdef CHS_SINGLE
@@ -93,22 +92,45 @@ static size_t count_within(real room, const run *r) {
   return i;
 }
 
-/* Adds the first points of a run at once. 0, and nothing added, where they must be looked at one by one: where one is
- * missing, the squares leave the format's range, or the weights are more than there is room for. The squares tell of all
- * that is not finite, for nothing that is summed is larger but the weight. */
+/* Whether what a sum is about is farther from its centroid than 0.6 times the size. NaN is not. */
+static int is_far(const real sum[3], real square, real weight) {
+  real mean[3] = {sum[0] / weight, sum[1] / weight, sum[2] / weight};
+  return dot(sum, mean) > K(0.25) * square;
+}
+
+static int off_center(const real sum[SUMS]) {
+  return is_far(sum + FIRST, sum[SQUARES], sum[WEIGHT]) || is_far(sum + FIRST + 3, sum[SQUARES + 1], sum[WEIGHT]);
+}
+
+/* The centroids of what is summed about the points of s. */
+static SELDOM void find_centroids(const motion_sums *s, const real sum[SUMS], real centroids[6]) {
+  for (int k = 0; k < 6; k++) centroids[k] = s->about[k] + sum[FIRST + k] / sum[WEIGHT] / s->scale;
+}
+
+/* False where a point is missing, the squares leave the format's range, or the weights are more than there is room for.
+ * The squares tell of all that is not finite, for nothing that is summed is larger but the weight. */
+static int is_ordinary(const real sum[SUMS], size_t points, real room) {
+  real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
+  int finite = sum[SQUARES] <= REAL_MAX && sum[SQUARES + 1] <= REAL_MAX;
+  return finite && points > 0 && sum[WEIGHT] <= room && least > UNDERFLOWS * UNDERFLOWS;
+}
+
+/* Adds the first points of a run at once. 0, and nothing added, where they must be looked at one by one. */
 static APART size_t add_block(motion_sums *s, const run *r, size_t count, real room) {
   const run block = {count, r->initial, r->final, r->weights};
   real sum[SUMS];
   size_t points = gather(&block, s->about, s->scale, sum);
-  if (count > 1) {
-    real least = sum[SQUARES] < sum[SQUARES + 1] ? sum[SQUARES] : sum[SQUARES + 1];
-    int finite = sum[SQUARES] <= REAL_MAX && sum[SQUARES + 1] <= REAL_MAX;
-    if (!(finite && points > 0 && sum[WEIGHT] <= room && least > UNDERFLOWS * UNDERFLOWS)) return 0;
-  }
-  if (s->points == 0)
-    copy(sum, SUMS, s->sum);
-  else
+  if (count > 1 && !is_ordinary(sum, points, room)) return 0;
+  if (s->points > 0)
     for (int k = 0; k < SUMS; k++) add_plainly(s, k, sum[k]);
+  else {
+    if (count > 1 && off_center(sum)) { /* what the sample tells is not true of the rest */
+      find_centroids(s, sum, s->about);
+      gather(&block, s->about, s->scale, sum);
+    }
+    if (count > 1) s->about_weight = sum[WEIGHT];
+    copy(sum, SUMS, s->sum);
+  }
   s->points += points;
   return count;
 }
@@ -164,7 +186,7 @@ static int add_run(motion_sums *s, const run *all) {
   if (r.count > 0 && s->points == 0) settle(s, &r);
   while (r.count > 0) {
     size_t block = r.count < BLOCK ? r.count : BLOCK;
-    real room = room_in(s);
+    real room = s->points > 0 || !(s->about_weight > 0) ? room_in(s) : REAL_MAX; /* about what, is then seen to */
     size_t singly = r.weights ? block : count_within(room, &r), done = singly > 1 ? add_block(s, &r, singly, room) : 0;
     if (done == 0 && r.weights) {
       singly = count_within(room, &r);
@@ -193,33 +215,29 @@ typedef struct cloud {
   real reduce;  /* the power of two */
 } cloud;
 
-/* Sum of w |x|^2 about the centroid, m away. */
-static real central_square(real square, real w, const real m[3]) {
-  real rest = square - w * dot(m, m);
+/* Sum of w |x|^2 about the centroid, from that about a point and the sum of w x, whose mean tells the centroid. */
+static real central_square(real square, const real sum[3], const real mean[3]) {
+  real rest = square - dot(sum, mean);
   return rest < 0 ? K(0.0) : rest;
 }
 
-/* A row of H = sum of w y x^T about the centroids, times the power of two, from that about others. */
-static void central_products(const real about[3], real wy, const real mean[3], real reduce, real row[3]) {
-  row[0] = reduce * (about[0] - wy * mean[0]);
-  row[1] = reduce * (about[1] - wy * mean[1]);
-  row[2] = reduce * (about[2] - wy * mean[2]);
+/* A row of H = sum of w y x^T about the centroids, times the power of two, likewise. */
+static void central_products(const real about[3], real sum, const real mean[3], real reduce, real row[3]) {
+  row[0] = reduce * (about[0] - sum * mean[0]);
+  row[1] = reduce * (about[1] - sum * mean[1]);
+  row[2] = reduce * (about[2] - sum * mean[2]);
 }
 
 /* NaN where not even one component is a number. */
 static int read_cloud(const motion_sums *s, cloud *c) {
-  real t[SUMS], w, share, unscale = K(1.0) / s->scale, *mean = t + FIRST, size[2];
+  real t[SUMS], w, share, unscale = K(1.0) / s->scale, *sum = t + FIRST, mean[6], size[2];
   for (int k = 0; k < SUMS; k++) t[k] = total(s, k);
   w = t[WEIGHT];
   share = K(1.0) / w;
-  multiply_by(share, mean);
-  multiply_by(share, mean + 3);
-  copy3(mean, c->offset);
-  copy3(mean + 3, c->offset + 3);
-  multiply_by(unscale, c->offset);
-  multiply_by(unscale, c->offset + 3);
+  for (int k = 0; k < 6; k++) mean[k] = share * sum[k];
+  for (int k = 0; k < 6; k++) c->offset[k] = mean[k] * unscale;
   for (int k = 0; k < 2; k++) {
-    c->squares[k] = central_square(t[SQUARES + k], w, mean + 3 * k);
+    c->squares[k] = central_square(t[SQUARES + k], sum + 3 * k, mean + 3 * k);
     size[k] = SQRT(share * c->squares[k]);
     c->size[k] = size[k] * unscale;
   }
@@ -233,7 +251,7 @@ static int read_cloud(const motion_sums *s, cloud *c) {
     if (c->size[k] <= K(4.0) * EPS * largest(s->about + 3 * k, 3)) return CHS_ERR_COINCIDENT;
   real reduce = c->N > MODEST || c->N * MODEST < 1 ? EPS / power_of_two_below(EPS * c->N) : K(1.0);
   c->reduce = reduce;
-  for (int i = 0; i < 3; i++) central_products(t + PRODUCTS + 3 * i, w * mean[3 + i], mean, reduce, c->H + 3 * i);
+  for (int i = 0; i < 3; i++) central_products(t + PRODUCTS + 3 * i, sum[3 + i], mean, reduce, c->H + 3 * i);
   c->squares[0] *= reduce;
   c->squares[1] *= reduce;
   c->N *= reduce;
@@ -475,7 +493,8 @@ static int is_there(const run *r, const unsigned char *missing, size_t i) {
 /* The second look at the points: what each is off by. */
 static void look_back(const motion_sums *s, const cloud *c, const best_rotation *best, const run *r,
                       const unsigned char *missing, motion_quality *found) {
-  real R[9], sum = 0, most = -1, nn = dot(best->q.v, best->q.v) + best->q.w * best->q.w;
+  exact_sum sum = {0, 0}; /* however many points there are */
+  real R[9], most = -1, nn = dot(best->q.v, best->q.v) + best->q.w * best->q.w;
   rotation_from_quaternion(&best->q, nn, R);
   int gaps = s->missing > 0 || r->weights;
   for (size_t i = 0; i < r->count; i++) {
@@ -489,13 +508,14 @@ static void look_back(const motion_sums *s, const cloud *c, const best_rotation 
     rotate(R, x, off);
     subtract(y, off, off);
     real square = dot(off, off);
-    sum += r->weights ? r->weights[i] * square : square;
+    exact_sum weighted = {r->weights ? r->weights[i] * square : square, 0};
+    add(&sum, weighted);
     if (square > most) {
       most = square;
       found->largest_at = i;
     }
   }
-  found->rms = SQRT(sum / total(s, WEIGHT)) / s->scale;
+  found->rms = SQRT((sum.hi + sum.lo) / total(s, WEIGHT)) / s->scale;
   found->largest = SQRT(most) / s->scale;
 }
 

@@ -47,8 +47,14 @@ static INLINE void add_lanes(lanes *sum, const lanes *l) {
   sum->weight += l->weight;
 }
 
-/* Apart, because clang's vectoriser would else take the lanes apart while they are summed. */
-static APART void write_lanes(const lanes *l, real sum[SUMS]) {
+/* Where there are vectors apart, or clang's vectoriser would take the lanes apart while they are summed. */
+#if VECTORS
+#define WRITER APART
+#else
+#define WRITER INLINE
+#endif
+
+static WRITER void write_lanes(const lanes *l, real sum[SUMS]) {
   real *first = sum + FIRST, *H = sum + PRODUCTS;
   sum[WEIGHT] = l->weight;
   first[0] = l->p[0], first[1] = l->p[1], first[2] = l->z[0];

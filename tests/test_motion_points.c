@@ -387,6 +387,44 @@ static void test_outliers_do_no_harm_wherever_they_come(void) {
   }
 }
 
+/* By integers that need no rounding. */
+static double size_of_body(const real *points) {
+  double sum[3] = {0}, squares = 0;
+  for (int i = 0; i < 3 * body.n; i++) {
+    const double x = (double)points[i] / body.q.nn;
+    sum[i % 3] += x;
+    squares += x * x;
+  }
+  return body.q.nn * sqrt(body.n * squares - (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2])) / body.n;
+}
+
+/* The sixteen points that say where the others may be, all of them somewhere else. */
+static void test_a_sample_that_is_none_of_the_rest_costs_no_digits(void) {
+  const int here[3] = {0, 0, 0};
+  for (int c = 0; c < CASES; c++) {
+    make_body(128, integer(1, 5), PICK(1 << 16, 1 << 8), here);
+    for (int k = 0; k < 16; k++) {
+      const int at = k + k * (k + 1) / 2 * 112 / 128;
+      for (int i = 0; i < 3; i++) {
+        const int x[3] = {PICK(1 << 19, 1 << 11), -PICK(1 << 18, 1 << 10) + k, 99 + c};
+        long image = body.t[i];
+        for (int j = 0; j < 3; j++) image += (long)turn_numerator(&body.q, i, j) * x[j];
+        body.initial[3 * at + i] = (real)((long)body.q.nn * x[i]);
+        body.final[3 * at + i] = (real)image;
+      }
+    }
+    const solution fit = fit_body(NULL), stream = stream_body(NULL);
+    const double size = size_of_body(body.initial);
+    TEST_ASSERT_TRUE(fit.status >= 0 && stream.status >= 0);
+    assert_pose(&fit);
+    assert_pose(&stream);
+    ASSERT_WITHIN_EPS(size, fit.quality.size, CHS_EPS_MOTION_FIT_SIZE, size);
+    ASSERT_WITHIN_EPS(size, stream.quality.size, CHS_EPS_MOTION_FIT_SIZE, size);
+    ASSERT_WITHIN_EPS(0, fit.quality.growth, CHS_EPS_MOTION_FIT_GROWTH, 1);
+    ASSERT_WITHIN_EPS(0, stream.quality.growth, CHS_EPS_MOTION_FIT_GROWTH, 1);
+  }
+}
+
 static void assert_fit_refuses(int status, int n, const real *initial, const real *final, const real *weights) {
   solution out;
   motion_sums sums;
@@ -669,6 +707,7 @@ int main(void) {
   RUN_TEST(test_growth_is_told_with_the_residuals);
   RUN_TEST(test_scaling_by_a_power_of_two_scales_the_lengths_and_nothing_else);
   RUN_TEST(test_outliers_do_no_harm_wherever_they_come);
+  RUN_TEST(test_a_sample_that_is_none_of_the_rest_costs_no_digits);
   RUN_TEST(test_clouds_without_a_rotation_are_refused);
   RUN_TEST(test_thin_clouds_are_called_ill_conditioned);
   RUN_TEST(test_outputs_may_overlap_inputs_or_be_left_out);

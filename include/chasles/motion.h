@@ -213,10 +213,10 @@ typedef struct chs_motion_qualityf {
  * s2 + s3 in signed singular values of H, is a root of a polynomial (Davenport 1968) and gives R without an
  * eigenvector (Markley 1993); one Newton step on the rotations then brings it to the last digits.
  *
- * The points are looked at once and memory is constant, however many they are. Differences from a point amid them
- * are summed, so that an offset costs nothing but its own rounding; blocks of 128 join totals that keep their rounding
- * errors, so that the errors do not grow with n; and what the differences are taken from is moved when the weight has
- * grown eightfold, so that it never lies far outside the cloud.
+ * The points are looked at once, or twice where the first tell too little of the rest, and memory is constant, however
+ * many they are. Differences from a point amid them are summed, so that an offset costs nothing but its own rounding;
+ * blocks of 128 join totals that keep their rounding errors, so that the errors do not grow with n; and what the
+ * differences are taken from is moved when the weight has doubled, so that it never lies far outside the cloud.
  *
  * The reference of the errors is the least-squares displacement of the given points in exact arithmetic. With
  *   k = N | (trace(S) I - S)^-1 |, S = R^T H, N^2 = sum w |x - C|^2 sum w |y - C'|^2, Frobenius norms,
@@ -293,7 +293,8 @@ int chs_motion_addf(chs_motion_sumsf *sums, const float initial[3], const float 
 /* The displacement that fits the points added so far; more may follow. Arguments, statuses and errors are those of
  * chs_motion_fit, but for the residuals: the sums do not tell the largest, and they give the rms by a difference of
  * squares of the size. So its error is relative to size^2/rms, and at most size (64 eps)^1/2: 1.2e-7 of the size
- * in double, 2.8e-3 in float. A tolerance of that order is not told from 0. */
+ * in double, 2.8e-3 in float, size being the larger of before and after. A tolerance of that order is not told from
+ * 0. */
 #define CHS_EPS_MOTION_FINISH_RMS 64.0
 int chs_motion_finish(const chs_motion_sums *sums, double tolerance, chs_screw *screw, double T[16],
                       chs_motion_quality *quality);
