@@ -252,66 +252,70 @@ static INLINE real angle_by_selects(real yy, real x) {
   return angle_in_sector(base, rest, sign, less, more);
 }
 
-/* What quaternion_of in rotation.h reads, bit for bit by selects, each by a comparison of its own because gcc makes no
- * vectors of a condition that several share. The largest axis is z, or else y, or else x. */
-static INLINE quaternion quaternion_by_selects(const real R[9]) {
-  real yx = R[4] > R[0] ? R[4] : R[0], most = R[8] > yx ? R[8] : yx;
-  real trace = (R[0] + R[4]) + R[8], of_w = (K(1.0) + R[0]) + (R[4] + R[8]);
-  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], xy = R[3] + R[1], xz = R[2] + R[6], yz = R[7] + R[5];
-  real x0 = (K(1.0) + R[0]) - (R[4] + R[8]), y1 = (K(1.0) - R[0]) + (R[4] - R[8]), z2 = (K(1.0) - R[0]) + (R[8] - R[4]);
+/* What quaternion_by_axis in rotation.h reads, bit for bit by selects, each by a comparison of its own because gcc makes
+ * no vectors of a condition that several share. */
+static INLINE quaternion axis_by_selects(const real R[9]) {
+  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+  real x0 = (K(1.0) + R[0]) - (R[4] + R[8]), y1 = (K(1.0) - R[0]) + (R[4] - R[8]), z2 = (K(1.0) - R[0]) - (R[4] - R[8]);
   real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz, w = R[4] > R[0] ? y : x;
-  v0 = R[8] > yx ? xz : v0;
-  v1 = R[8] > yx ? yz : v1;
-  v2 = R[8] > yx ? z2 : v2;
-  w = R[8] > yx ? z : w;
-  real sign = w < 0 ? K(-1.0) : K(1.0), size = ABS(w);
+  real x_or_y = R[0] > R[4] ? R[0] : R[4];
   quaternion q;
-  q.v[0] = trace >= most ? x : sign * v0;
-  q.v[1] = trace >= most ? y : sign * v1;
-  q.v[2] = trace >= most ? z : sign * v2;
+  q.v[0] = R[8] > x_or_y ? xz : v0;
+  q.v[1] = R[8] > x_or_y ? yz : v1;
+  q.v[2] = R[8] > x_or_y ? z2 : v2;
+  q.w = R[8] > x_or_y ? z : w;
+  return q;
+}
+
+static INLINE quaternion quaternion_by_selects(const real R[9]) {
+  real trace = (R[0] + R[4]) + R[8], of_w = (K(1.0) + R[0]) + (R[4] + R[8]), x_or_y = R[0] > R[4] ? R[0] : R[4];
+  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], most = R[8] > x_or_y ? R[8] : x_or_y;
+  quaternion q = axis_by_selects(R);
+  real sign = q.w < 0 ? K(-1.0) : K(1.0), size = ABS(q.w);
+  q.v[0] = trace >= most ? x : sign * q.v[0];
+  q.v[1] = trace >= most ? y : sign * q.v[1];
+  q.v[2] = trace >= most ? z : sign * q.v[2];
   q.w = trace >= most ? of_w : size;
   return q;
 }
 
 /* What logarithm in rotation.h answers to a rotation. The result is positive where the answer is CHS_OK, if R is a
  * rotation. */
-static INLINE real logarithm_by_selects(const real R[9], real w[3], real *k) {
-  quaternion q = quaternion_by_selects(R);
-  real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]}, from_4 = short_of_4(R), near_w = K(4.0) - from_4;
-  real vv = dot(v, v), ww = near_w * near_w, far_ww = q.w * q.w;
+static INLINE real logarithm_by_selects(const real R[9], real w[3]) {
+  quaternion q = axis_by_selects(R);
+  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], trace = (R[0] + R[4]) + R[8];
+  real sign = q.w < 0 ? K(-1.0) : K(1.0), size = ABS(q.w);
   real nn = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), n = SQRT(nn);
-  real rest = arc_ratio_rest(from_4 <= K(2.0) ? vv : far_ww, from_4 <= K(2.0) ? ww : nn);
-  real near_k, near_m = turn_near(from_4, near_w, rest, &near_k), far_k, far_m = turn_far(n, q.w, rest, &far_k);
-  real part = from_4 <= K(2.0) ? K(0.5) : K(1.0), m = from_4 <= K(2.0) ? near_m : far_m;
-  v[0] = from_4 <= K(2.0) ? v[0] : q.v[0];
-  v[1] = from_4 <= K(2.0) ? v[1] : q.v[1];
-  v[2] = from_4 <= K(2.0) ? v[2] : q.v[2];
-  along(v, part, m, w);
-  *k = from_4 <= K(2.0) ? near_k : far_k;
-  return from_4 <= K(2.0) ? near_w : q.w - EPS * n;
+  real near_m = turn_near(trace), far_m = sign * turn_far(nn, n, size);
+  real part = sine_decides(trace) ? K(0.5) : sign, m = sine_decides(trace) ? near_m : far_m;
+  q.v[0] = sine_decides(trace) ? x : q.v[0];
+  q.v[1] = sine_decides(trace) ? y : q.v[1];
+  q.v[2] = sine_decides(trace) ? z : q.v[2];
+  along(q.v, part, m, w);
+  return sine_decides(trace) ? K(1.0) : size - EPS * n;
 }
 
 /* The logarithm of what may be a rotation; positive where it is one, and not beside a half-turn. */
-static INLINE real log_of(const real R[9], real w[3], real *k) {
-  real margin = logarithm_by_selects(R, w, k);
+static INLINE real log_of(const real R[9], real w[3]) {
+  real margin = logarithm_by_selects(R, w);
   return is_rotation(R) ? margin : K(0.0);
 }
 
 static void so3_log(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real R[9], w[3], k;
+    real R[9], w[3];
     get_rows(b->x, lane, 3, R);
-    b->margin[lane] = log_of(R, w, &k);
+    b->margin[lane] = log_of(R, w);
     put(w, lane, 0, b->x);
   }
 }
 
 static void se3_log(block *b) {
   for (int lane = 0; lane < LANES; lane++) {
-    real R[9], p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3], k;
+    real R[9], p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3];
     get_rows(b->x, lane, 4, R);
-    real margin = log_of(R, w, &k);
-    inverse_jacobian_times(w, k, p, v);
+    real margin = log_of(R, w);
+    inverse_jacobian_times(w, p, v);
     put(w, lane, 0, b->x);
     put(v, lane, 3, b->x);
     b->margin[lane] = margin + nothing(v);

@@ -62,6 +62,16 @@
    CHS_POWER_4(t) * ((0x1.f87d1dd3159e7p-34 + (t) * -0x1.42df86395c1aap-41) + \
    CHS_POWER_2(t) * (0x1.3b267f0da9fc2p-49 + (t) * -0x1.e604f83a0ba81p-58))) + \
    CHS_POWER_8(t) * (0x1.38797b5625f1cp-66 + (t) * -0x1.9bf378403eaacp-75))
+/* (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = P, P = CHS_COTANGENT
+   on [0, 9.8795], relative error 0.58 eps */
+#define CHS_COTANGENT(t) \
+  ((((0x1.5555555555555p-4 + (t) * 0x1.6c16c16c1722ap-10) + \
+   CHS_POWER_2(t) * (0x1.1566abbfba83ap-15 + (t) * 0x1.bbd7796d13f54p-21)) + \
+   CHS_POWER_4(t) * ((0x1.66a8e8e9bc869p-26 + (t) * 0x1.22815b65966a1p-31) + \
+   CHS_POWER_2(t) * (0x1.d6ba3cf9229d8p-37 + (t) * 0x1.7f15039fb2496p-42))) + \
+   CHS_POWER_8(t) * (((0x1.2a3e9de7ed774p-47 + (t) * 0x1.3666e1bd822b9p-52) + \
+   CHS_POWER_2(t) * (-0x1.1d439577aa3e6p-61 + (t) * 0x1.63a503c5bc2fbp-61)) + \
+   CHS_POWER_4(t) * (-0x1.5ead129abe68fp-66 + (t) * 0x1.7a146c5b10418p-71)))
 /* atan(sqrt u) / sqrt u at u = 39/16 z / (1 - z) = 1 + z P, P = CHS_ARC_RATIO
    on [0, 0.31095], relative error 0.0075 eps */
 #define CHS_ARC_RATIO(z) \
@@ -83,6 +93,18 @@
    CHS_POWER_8(u) * (((-0x1.ac4e55cf29514p-5 + (u) * 0x1.77710d4423171p-5) + \
    CHS_POWER_2(u) * (-0x1.2ec642fb960d2p-5 + (u) * 0x1.7fd13f4190e4p-6)) + \
    CHS_POWER_4(u) * -0x1.0d5e2cf1020bdp-7))
+/* 1/4 - (x/(2 sin x) - 1/2) / (3 - trace) at trace = 1 + 2 cos x = CHS_TURN_TOP / CHS_TURN_BOTTOM
+   on [0.49, 3.03], 0.13 eps of x/(2 sin x) */
+#define CHS_TURN_TOP(trace) \
+  (((0x1.bda64112bd292p-7 + (trace) * 0x1.ab64f85f22cb3p-3) + \
+   CHS_POWER_2(trace) * (0x1.b94b4829401a6p-2 + (trace) * 0x1.62efcba2d211cp-2)) + \
+   CHS_POWER_4(trace) * ((0x1.0713cae2426a1p-3 + (trace) * 0x1.6891d13c97abcp-6) + \
+   CHS_POWER_2(trace) * (0x1.99bc5ed9ba846p-10 + (trace) * 0x1.1779d408d7581p-15)))
+#define CHS_TURN_BOTTOM(trace) \
+  (((0x1p+0 + (trace) * 0x1.8b7f47ceab328p+1) + \
+   CHS_POWER_2(trace) * (0x1.d9bff755b50f5p+1 + (trace) * 0x1.16c9c1cfb4809p+1)) + \
+   CHS_POWER_4(trace) * ((0x1.52218d5b03c6cp-1 + (trace) * 0x1.96c4f7fa3babap-4) + \
+   CHS_POWER_2(trace) * (0x1.aad044af5532ep-8 + (trace) * 0x1.1789d65013438p-13)))
 #define CHS_ARC_SPREAD 0x1.38p+1
 #define CHS_PI_A 0x1.921fb54442d18p+1
 #define CHS_PI_B 0x1.1a62633145c07p-53
@@ -138,6 +160,13 @@
   (((0x1.6c16c2p-9F + (t) * -0x1.a01a58p-14F) + \
    CHS_POWER_2(t) * (0x1.bbe7f4p-20F + (t) * -0x1.2008d6p-26F)) + \
    CHS_POWER_4(t) * (0x1.0b939ap-33F + (t) * -0x1.caf58cp-41F))
+/* (1 - (x/2) cot(x/2))/x^2 at x = sqrt t = P, P = CHS_COTANGENT
+   on [0, 9.8795], relative error 0.25 eps */
+#define CHS_COTANGENT(t) \
+  (((0x1.555556p-4F + (t) * 0x1.6c154ap-10F) + \
+   CHS_POWER_2(t) * (0x1.15a98ap-15F + (t) * 0x1.b304f8p-21F)) + \
+   CHS_POWER_4(t) * ((0x1.ac2aa8p-26F + (t) * 0x1.457862p-35F) + \
+   CHS_POWER_2(t) * 0x1.611a84p-35F))
 /* atan(sqrt u) / sqrt u at u = 39/16 z / (1 - z) = 1 + z P, P = CHS_ARC_RATIO
    on [0, 0.31095], relative error 0.0058 eps */
 #define CHS_ARC_RATIO(z) \
@@ -151,6 +180,14 @@
   (((-0x1.555552p-2F + (u) * 0x1.999742p-3F) + \
    CHS_POWER_2(u) * (-0x1.244ff6p-3F + (u) * 0x1.c06dccp-4F)) + \
    CHS_POWER_4(u) * (-0x1.47f982p-4F + (u) * 0x1.3f98aap-5F))
+/* 1/4 - (x/(2 sin x) - 1/2) / (3 - trace) at trace = 1 + 2 cos x = CHS_TURN_TOP / CHS_TURN_BOTTOM
+   on [0.49, 3.03], 0.18 eps of x/(2 sin x) */
+#define CHS_TURN_TOP(trace) \
+  ((0x1.bdde9p-7F + (trace) * 0x1.7f9c28p-3F) + \
+   CHS_POWER_2(trace) * (0x1.060a46p-3F + (trace) * 0x1.fb8ea4p-7F))
+#define CHS_TURN_BOTTOM(trace) \
+  ((0x1p+0F + (trace) * 0x1.858cf8p+0F) + \
+   CHS_POWER_2(trace) * (0x1.4036cep-1F + (trace) * 0x1.fd1a3ep-5F))
 #define CHS_ARC_SPREAD 0x1.38p+1F
 #define CHS_PI_A 0x1.921fb6p+1F
 #define CHS_PI_B -0x1.777a5cp-24F

@@ -14,7 +14,7 @@
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
 #define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
-#define short_of_4(...) FN(chs_p_short_of_4)(__VA_ARGS__)
+#define quaternion_by_axis(...) FN(chs_p_quaternion_by_axis)(__VA_ARGS__)
 #define quaternion_of(...) FN(chs_p_quaternion_of)(__VA_ARGS__)
 #define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
 #define rotation_from_half_angle(...) FN(chs_p_rotation_from_half_angle)(__VA_ARGS__)
@@ -23,8 +23,8 @@
 #define jacobian_of_ratios(...) FN(chs_p_jacobian_of_ratios)(__VA_ARGS__)
 #define jacobian_from(...) FN(chs_p_jacobian_from)(__VA_ARGS__)
 #define inverse_jacobian_from(...) FN(chs_p_inverse_jacobian_from)(__VA_ARGS__)
-#define cotangent_ratio(...) FN(chs_p_cotangent_ratio)(__VA_ARGS__)
 #define rotation_from_quaternion(...) FN(chs_p_rotation_from_quaternion)(__VA_ARGS__)
+#define sine_decides(...) FN(chs_p_sine_decides)(__VA_ARGS__)
 #define turn_near(...) FN(chs_p_turn_near)(__VA_ARGS__)
 #define turn_far(...) FN(chs_p_turn_far)(__VA_ARGS__)
 #define logarithm_near(...) FN(chs_p_logarithm_near)(__VA_ARGS__)
@@ -89,29 +89,32 @@ SHARED void negate(quaternion *q) {
  * half-turn when pi - theta <= 2 zone; components count as zero up to zone times the length. */
 SELDOM void FN(chs_p_settle_half_turn)(quaternion *q, real zone, real length);
 
-/* A matrix near a rotation is read through the column of 4 (w; v)(w; v)^T that is largest on the diagonal (Shepperd
- * 1978), which agrees with the nearest rotation to a fraction of the matrix's own rounding errors. A half-turn about a
- * frame axis, which changes the signs of two of R's columns, makes that of any axis the column of w; its numbers then go
- * where exclusive or with the axis sends them. Tables tell axes and signs apart, for cases would be mispredicted as
- * often as not. */
+/* A matrix near a rotation is read through a column of 4 (w; v)(w; v)^T (Shepperd 1978). This is the largest on the
+ * diagonal of x's, y's and z's, with w of either sign. Its numbers are picked by index, for cases would be mispredicted as
+ * often as not, and lie apart in memory, so that no compiler loads two at once before their stores are through. */
+SHARED_INLINE quaternion quaternion_by_axis(const real R[9]) {
+  const real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+  const real v[3][3] = {{(K(1.0) + R[0]) - (R[4] + R[8]), xy, xz},
+                        {xy, (K(1.0) - R[0]) + (R[4] - R[8]), yz},
+                        {xz, yz, (K(1.0) - R[0]) - (R[4] - R[8])}};
+  const real w[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]};
+  real x_or_y = R[0] > R[4] ? R[0] : R[4];
+  unsigned axis = R[8] > x_or_y ? 2 : R[4] > R[0];
+  quaternion q = {{v[0][axis], v[1][axis], v[2][axis]}, w[axis]};
+  return q;
+}
+
+/* That of the largest of all four columns, which agrees with the nearest rotation to a fraction of the matrix's own
+ * rounding errors. */
 SHARED_INLINE quaternion quaternion_of(const real R[9]) {
-  static const unsigned char largest_axis[8] = {1, 2, 1, 2, 1, 3, 3, 3};
-  static const real half_turns[4][3] = {{0}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, signs[2] = {1, -1};
-  quaternion q = {{R[7] - R[5], R[2] - R[6], R[3] - R[1]}, (K(1.0) + R[0]) + (R[4] + R[8])};
+  static const real signs[2] = {1, -1};
+  quaternion of_w = {{R[7] - R[5], R[2] - R[6], R[3] - R[1]}, (K(1.0) + R[0]) + (R[4] + R[8])};
   real trace = (R[0] + R[4]) + R[8];
-  if (trace >= R[0] && trace >= R[4] && trace >= R[8]) return q;
-  unsigned axis = largest_axis[(R[4] > R[0]) + 2 * (R[8] > R[0]) + 4 * (R[8] > R[4])];
-  const real *turn = half_turns[axis];
-  real column[4];
-  column[0] = (K(1.0) + turn[0] * R[0]) + (turn[1] * R[4] + turn[2] * R[8]);
-  column[1] = R[7] - turn[0] * R[5];
-  column[2] = R[2] - turn[1] * R[6];
-  column[3] = R[3] - turn[2] * R[1];
-  real w = column[axis], sign = signs[w < 0];
-  q.v[0] = sign * column[1 ^ axis];
-  q.v[1] = sign * column[2 ^ axis];
-  q.v[2] = sign * column[3 ^ axis];
-  q.w = ABS(w);
+  if (trace >= R[0] && trace >= R[4] && trace >= R[8]) return of_w;
+  quaternion q = quaternion_by_axis(R);
+  real sign = signs[q.w < 0];
+  UNROLL for (int i = 0; i < 3; i++) q.v[i] = sign * q.v[i];
+  q.w = ABS(q.w);
   return q;
 }
 
@@ -186,9 +189,6 @@ SHARED int inverse_jacobian_from(const real w[3], half_angle h, real side, real 
   return CHS_OK;
 }
 
-/* (1 - k)/theta^2 with k = (theta/2) cot(theta/2); 1/12 where the difference would be nothing but rounding. */
-SHARED real cotangent_ratio(real k, real tt) { return tt < EPS ? K(1.0) / K(12.0) : (K(1.0) - k) / tt; }
-
 /* The rotation of a quaternion of squared length nn. */
 SHARED void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
   real scale = K(2.0) / nn, x = scale * q->v[0], y = scale * q->v[1], z = scale * q->v[2];
@@ -206,24 +206,6 @@ SHARED void rotation_from_quaternion(const quaternion *q, real nn, real R[9]) {
   R[7] = yz + wx;
 }
 
-/* 4 - w of the column of w, before rounding: at most 2 up to a quarter turn. */
-SHARED real short_of_4(const real R[9]) { return (K(1.0) - R[0]) + (K(1.0) - R[4]) + (K(1.0) - R[8]); }
-
-/* Rotation vectors are a power of two times v plus a small multiple of v, so that little remains to be rounded. Up to a
- * quarter turn, v from the column of w, it is v/2 + m v; the result is m, and k = (theta/2) cot(theta/2). rest is
- * arc_ratio_rest of the half-angle's tangent. */
-SHARED real turn_near(real from_4, real w, real rest, real *k) {
-  *k = K(1.0) + rest;
-  return (K(0.5) * from_4 + K(2.0) * rest) * (K(1.0) / w);
-}
-
-/* Beyond a quarter turn it is v + m v. n = |v|, and rest is that of the cotangent. */
-SHARED real turn_far(real n, real w, real rest, real *k) {
-  real t = K(2.0) * w / n, more = t * rest;
-  *k = K(0.25) * t * ((CHS_PI_A - t) - more);
-  return (((CHS_PI_A - n) - t) + (CHS_PI_B - more)) / n;
-}
-
 /* w = part v + m v */
 SHARED void along(const real v[3], real part, real m, real w[3]) {
   w[0] = part * v[0] + m * v[0];
@@ -231,21 +213,38 @@ SHARED void along(const real v[3], real part, real m, real w[3]) {
   w[2] = part * v[2] + m * v[2];
 }
 
-/* The rotation vector up to a quarter turn, of the column (w; v) of w by short_of_4. */
-SHARED void logarithm_near(const real v[3], real from_4, real vector[3], real *k) {
-  real w = K(4.0) - from_4, m = turn_near(from_4, w, arc_ratio_rest(dot(v, v), w * w), k);
-  along(v, K(0.5), m, vector);
+/* Up to 104 degrees the logarithm is that of the sine and the trace, beyond that of a quaternion. */
+SHARED int sine_decides(real trace) { return trace >= K(0.5); }
+
+/* Rotation vectors are a power of two times v plus a small multiple of v, so that little remains to be rounded. Of the
+ * axis times twice the sine it takes theta/(2 sin(theta)) = 1/2 + m, a function of the trace. */
+SHARED real turn_near(real trace) {
+  real u = K(3.0) - trace;
+  return K(0.25) * u - u * (CHS_TURN_TOP(trace) / CHS_TURN_BOTTOM(trace));
 }
 
-/* That of a quaternion beyond a quarter turn, and CHS_OK or CHS_HALF_TURN. */
-SHARED int logarithm_far(quaternion q, real w[3], real *k) {
-  real nn = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), n = SQRT(nn);
-  real m = turn_far(n, q.w, arc_ratio_rest(q.w * q.w, nn), k);
+/* Beyond, v is the quaternion's, of length n and with w >= 0, and the vector is v + m v. */
+SHARED real turn_far(real nn, real n, real w) {
+  real t = K(2.0) * w / n, more = t * arc_ratio_rest(w * w, nn);
+  return (((CHS_PI_A - n) - t) + (CHS_PI_B - more)) / n;
+}
+
+/* The rotation vector of v, the axis times twice the sine. */
+SHARED void logarithm_near(const real v[3], real trace, real w[3]) { along(v, K(0.5), turn_near(trace), w); }
+
+/* That of a rotation by more, and CHS_OK or CHS_HALF_TURN. */
+SHARED_INLINE int logarithm_far(const real R[9], real w[3]) {
+  static const real signs[2] = {1, -1};
+  quaternion q = quaternion_by_axis(R);
+  real sign = signs[q.w < 0], nn = q.v[0] * q.v[0] + (q.v[1] * q.v[1] + q.v[2] * q.v[2]), n = SQRT(nn);
+  q.w = ABS(q.w);
+  real m = turn_far(nn, n, q.w);
   if (q.w > EPS * n) {
-    along(q.v, 1, m, w);
+    along(q.v, sign, sign * m, w);
     return CHS_OK;
   }
-  quaternion settled = q; /* apart, so that the ordinary case stays in registers */
+  quaternion settled = {{sign * q.v[0], sign * q.v[1], sign * q.v[2]},
+                        q.w}; /* apart: the ordinary case is in registers */
   FN(chs_p_settle_half_turn)(&settled, 0, n);
   along(settled.v, 1, m, w);
   for (int i = 0; i < 3; i++) w[i] += K(0.0); /* no zero is negative */
@@ -253,21 +252,22 @@ SHARED int logarithm_far(quaternion q, real w[3], real *k) {
 }
 
 /* That of a matrix that has been checked. */
-SHARED int logarithm(const real R[9], real w[3], real *k) {
-  real from_4 = short_of_4(R);
-  if (!(from_4 <= 2)) return logarithm_far(quaternion_of(R), w, k);
+SHARED_INLINE int logarithm(const real R[9], real w[3]) {
+  real trace = (R[0] + R[4]) + R[8];
+  if (!sine_decides(trace)) return logarithm_far(R, w);
   const real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]};
-  logarithm_near(v, from_4, w, k);
+  logarithm_near(v, trace, w);
   return CHS_OK;
 }
 
-/* v = J_l(w)^-1 p, k as above. */
-SHARED void inverse_jacobian_times(const real w[3], real k, const real p[3], real v[3]) {
-  real d = cotangent_ratio(k, dot(w, w)) * dot(w, p), wxp[3];
+/* v = J_l(w)^-1 p = p - w x p / 2 + d w x (w x p) for theta up to pi, d = (1 - (theta/2) cot(theta/2))/theta^2. */
+SHARED void inverse_jacobian_times(const real w[3], const real p[3], real v[3]) {
+  real d = CHS_COTANGENT(dot(w, w)), dw[3] = {d * w[0], d * w[1], d * w[2]}, wxp[3], twice[3];
   cross(w, p, wxp);
-  v[0] = k * p[0] + (d * w[0] - K(0.5) * wxp[0]);
-  v[1] = k * p[1] + (d * w[1] - K(0.5) * wxp[1]);
-  v[2] = k * p[2] + (d * w[2] - K(0.5) * wxp[2]);
+  cross(dw, wxp, twice);
+  v[0] = p[0] + (twice[0] - K(0.5) * wxp[0]);
+  v[1] = p[1] + (twice[1] - K(0.5) * wxp[1]);
+  v[2] = p[2] + (twice[2] - K(0.5) * wxp[2]);
 }
 
 #if LARGE_BODIES

@@ -26,12 +26,12 @@ int FN(chs_se3_exp)(const real V[6], real T[16]) {
 }
 
 int FN(chs_se3_log)(const real T[16], real V[6]) {
-  real R[9], p[3], w[3], v[3], k;
+  real R[9], p[3], w[3], v[3];
   part(T, R, p);
   int status = first_error(check_rotation(R), finiteness_at_a_glance(p, 3));
   if (status != CHS_OK) return status;
-  status = logarithm(R, w, &k);
-  inverse_jacobian_times(w, k, p, v);
+  status = logarithm(R, w);
+  inverse_jacobian_times(w, p, v);
   if (!all_finite(v, 3)) return CHS_ERR_OVERFLOW;
   copy3(w, V);
   copy3(v, V + 3);

@@ -72,30 +72,30 @@ int FN(chs_se3_body_twist)(const real T[16], const real dT[16], real V[6]) { ret
 
 int FN(chs_se3_space_twist)(const real T[16], const real dT[16], real V[6]) { return twist_of_rate(T, dT, 0, V); }
 
-/* log(A^T B). Up to a quarter turn the sine comes from the differences of the columns, in which what A and B have in
+/* log(A^T B). Where the sine decides, it comes from the differences of the columns, in which what A and B have in
  * common cancels exactly. */
-static int rotation_between(const real A[9], const real B[9], real w[3], real *k) {
+static int rotation_between(const real A[9], const real B[9], real w[3]) {
   real R[9], At[9], d[9];
   transpose(A, At);
   FN(chs_so3_multiply)(At, B, R);
-  real from_4 = short_of_4(R);
-  if (!(from_4 <= 2)) return logarithm_far(quaternion_of(R), w, k);
+  real trace = (R[0] + R[4]) + R[8];
+  if (!sine_decides(trace)) return logarithm_far(R, w);
   for (int i = 0; i < 9; i++) d[i] = B[i] - A[i];
   FN(chs_so3_multiply)(At, d, R);
   const real v[3] = {R[7] - R[5], R[2] - R[6], R[3] - R[1]};
-  logarithm_near(v, from_4, w, k);
+  logarithm_near(v, trace, w);
   return CHS_OK;
 }
 
 /* log(A^-1 B) of two poses, or why there is none. */
 static int log_between(const real A[16], const real B[16], real w[3], real v[3]) {
-  real RA[9], pA[3], RB[9], pB[3], p[3], k;
+  real RA[9], pA[3], RB[9], pB[3], p[3];
   int status = first_error(read_pose(A, RA, pA), read_pose(B, RB, pB));
   if (status != CHS_OK) return status;
   subtract(pB, pA, p);
   rotate_back(RA, p, p);
-  status = rotation_between(RA, RB, w, &k);
-  inverse_jacobian_times(w, k, p, v);
+  status = rotation_between(RA, RB, w);
+  inverse_jacobian_times(w, p, v);
   return status;
 }
 
@@ -189,7 +189,7 @@ static void coupling(const real w[3], const real v[3], real side, half_angle h, 
 static void inverse_coupling(const real w[3], const real v[3], real side, half_angle h, real P[9]) {
   int within = h.tt <= CHS_PI_A * CHS_PI_A;
   real b = cosine_ratio(h), k_slope = -cubic_ratio(h) / (K(4.0) * b), wv = dot(w, v), x[3], y[3];
-  real d = within ? CHS_COSINE_SLOPE(h.tt) / b : cotangent_ratio(half_cotangent(h), h.tt);
+  real d = within ? CHS_COTANGENT(h.tt) : (K(1.0) - half_cotangent(h)) / h.tt;
   real d_slope = within ? CHS_COTANGENT_SLOPE(h.tt) / (K(4.0) * b) : (-k_slope - d) / h.tt;
   for (int i = 0; i < 3; i++) {
     y[i] = side * K(-0.5) * v[i];

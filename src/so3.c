@@ -31,8 +31,7 @@ int FN(chs_so3_exp)(const real w[3], real R[9]) {
 
 int FN(chs_so3_log)(const real R[9], real w[3]) {
   int status = check_rotation(R);
-  real k;
-  return status == CHS_OK ? logarithm(R, w, &k) : status;
+  return status == CHS_OK ? logarithm(R, w) : status;
 }
 
 static int jacobian(const real w[3], real side, real J[9]) {

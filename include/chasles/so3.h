@@ -52,9 +52,10 @@ int chs_so3_expf(const float w[3], float R[9]);
 
 /* w = log R, the rotation vector with angle in [0, pi].
  *
- *   R  a rotation to within CHS_SO3_FAR. It is read through the largest column of its quaternion matrix (Shepperd
- *      1978). For a rotation rounded to the format that is the nearest rotation, to a fraction of an eps; for one that
- *      has drifted it is one within the drift, and chs_so3_nearest is there to go before.
+ *   R  a rotation to within CHS_SO3_FAR. Up to 104 degrees, a trace of 1/2, the axis is that of its skew part and the
+ *      angle that of the trace; beyond, it is read through a column of its quaternion matrix, the largest of three
+ *      (Shepperd 1978). For a rotation rounded to the format that is the nearest rotation, to a fraction of an eps;
+ *      for one that has drifted it is one within the drift, and chs_so3_nearest is there to go before.
  *   w  the rotation vector; the identity gives 0 exactly. At a half-turn, where the skew part of R is exactly 0, its
  *      first non-zero component is positive; next to it the skew part decides, however small.
  *

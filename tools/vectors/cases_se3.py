@@ -149,9 +149,9 @@ def exp_bands(fmt, rng):
 
 def evaluate_log(fmt, T):
     R, p = pose(T)
-    if sampling.close_to_far(R) or sampling.column_ties(fmt, R):
+    if sampling.close_to_far(R) or sampling.log_ties(fmt, R):
         raise Unclear
-    axis, angle, gap = exact.axis_angle(R)
+    axis, angle, gap = exact.log_axis_angle(R)
     statuses = (0,) if axis is None else sampling.log_status(fmt, R, axis, gap)
     V = exact.pose_log(R, p)
     return Result(V, [angle, norm(V[3:6])], statuses)
@@ -162,7 +162,7 @@ def log_translation(fmt, rng, k, R):
     if k % 30 == 17:
         return [mpf(0)] * 3
     if k % 12 == 5:
-        axis = exact.axis_angle(R)[0]
+        axis = exact.log_axis_angle(R)[0]
         if axis:
             return fmt.round_all(exact.times(sampling.length(fmt, rng), axis))
     return point(fmt, rng, "mixed", k // 10)
@@ -300,9 +300,9 @@ def relative_log(fmt, A, B):
         raise Unclear
     At = exact.transpose(RA)
     R = exact.multiply(At, RB)
-    if sampling.column_ties(fmt, R):
+    if sampling.log_ties(fmt, R):
         raise Unclear
-    axis, angle, gap = exact.axis_angle(R)
+    axis, angle, gap = exact.log_axis_angle(R)
     if gap < 64 * fmt.eps and not (gap == 0 and exact.is_exact_turn(RA) and exact.is_exact_turn(RB)):
         raise Unclear  # the product is rounded, and with it the sense of the axis
     V = exact.pose_log(R, exact.apply(At, exact.subtract(pB, pA)))

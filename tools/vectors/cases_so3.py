@@ -157,9 +157,9 @@ def exp_bands(fmt, rng):
 
 
 def evaluate_log(fmt, M):
-    if sampling.close_to_far(M) or sampling.column_ties(fmt, M):
+    if sampling.close_to_far(M) or sampling.log_ties(fmt, M):
         raise Unclear
-    axis, angle, gap = exact.axis_angle(M)
+    axis, angle, gap = exact.log_axis_angle(M)
     if axis is None:
         return Result([mpf(0)] * 3, [mpf(0)])
     statuses = sampling.log_status(fmt, M, axis, gap)

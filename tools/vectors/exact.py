@@ -242,8 +242,12 @@ def column_quaternion(M):
     It is how the library reads a matrix: for a rotation that of the rotation, for one rounded to a format that of the
     nearest rotation to a fraction of eps.
     """
+    return shepperd_quaternion(M, range(4))
+
+
+def shepperd_quaternion(M, columns):
     K = shepperd_matrix(M)
-    i = max(range(4), key=lambda k: K[k][k])
+    i = max(columns, key=lambda k: K[k][k])
     return standard_sign(unit(K[i]))
 
 
@@ -252,13 +256,33 @@ def axis_angle(M):
     return quaternion_axis_angle(column_quaternion(M))
 
 
+def trace(M):
+    with workprec(ALGEBRA_BITS):
+        return M[0] + M[4] + M[8]
+
+
+def log_axis_angle(M):
+    """The same as the library's logarithm reads M: up to 104 degrees, which it takes for a trace of at least 1/2, the
+    sine's axis, whose length becomes the angle by a function of the trace; beyond, the largest column but the first."""
+    t = trace(M)
+    if t < mpf(1) / 2:
+        return quaternion_axis_angle(shepperd_quaternion(M, range(1, 4)))
+    s = skew_vector(M)
+    if norm(s) == 0:
+        return None, mpf(0), +pi
+    with workprec(ALGEBRA_BITS):
+        x = mp.acos((t - 1) / 2)  # imaginary where a matrix has drifted beyond the identity
+        angle = norm(s) * (mp.re(x / mp.sin(x)) if x else mpf(1)) / 2
+    return unit(s), +angle, pi - angle
+
+
 def is_exact_turn(R):
     """Are all entries 0 or 1 in size?"""
     return all(abs(x) in (0, 1) for x in R)
 
 
 def log(M):
-    axis, angle, _ = axis_angle(M)
+    axis, angle, _ = log_axis_angle(M)
     return [mpf(0)] * 3 if axis is None else [angle * x for x in axis]
 
 

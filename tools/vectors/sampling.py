@@ -270,6 +270,13 @@ def column_ties(fmt, M):
     return exact.deviation(M) > 16 * fmt.eps and diagonal[2] > mpf("0.98") * diagonal[3]
 
 
+def log_ties(fmt, M):
+    """The same of the logarithm, which goes by the trace first."""
+    diagonal, beyond = sorted(exact.shepperd_matrix(M)[i][i] for i in range(1, 4)), exact.trace(M) - mpf(1) / 2
+    tie = abs(beyond) < mpf("0.02") or (beyond < 0 and diagonal[1] > mpf("0.98") * diagonal[2])
+    return exact.deviation(M) > 16 * fmt.eps and tie
+
+
 # Poses
 
 
