@@ -449,7 +449,7 @@ static APART void screw_from_pose(block *b) {
     screw_about(e, n, q.w, origin, p, &s);
     put_screw(&s, lane, b->x);
     int usual = is_rotation(R) & (vv >= K(4.0) * UNDERFLOWS * UNDERFLOWS) & (q.w > EPS * n);
-    b->margin[lane] = (usual ? K(1.0) : K(0.0)) + nothing(s.point);
+    b->margin[lane] = (usual ? K(1.0) : K(0.0)) + (nothing(s.point) + K(0.0) * s.translation);
   }
 }
 

@@ -45,12 +45,19 @@ int FN(chs_chain_rank)(int n, const real *J, real length, real *scratch, int *ra
   return status;
 }
 
+/* The product of the singular values, out of the format's range on the way only where it ends there: the smallest are
+ * taken while it is above 1, the largest while it is below. */
+static real product_of(const spectrum *s) {
+  real product = 1;
+  for (int first = 0, last = s->k; first < last;) product *= s->size * SQRT(s->squares[product < 1 ? first++ : --last]);
+  return product;
+}
+
 int FN(chs_chain_manipulability)(int n, const real *J, real length, real *scratch, real *manipulability) {
   spectrum s;
   int status = decompose(n, J, length, scratch, &s);
   if (status != CHS_OK) return status;
-  real product = 1;
-  for (int i = 0; i < s.k; i++) product *= s.size * SQRT(s.squares[i]);
+  real product = product_of(&s);
   if (!is_finite(product)) return CHS_ERR_OVERFLOW;
   *manipulability = product;
   return CHS_OK;
@@ -70,7 +77,7 @@ int FN(chs_chain_determinant)(const real J[36], real *determinant) {
   real A[42], x[6], det;
   augment(J, nothing, 1, A);
   FN(chs_p_eliminate)(A, x, &det);
-  if (!is_finite(det)) return why_not_finite(J, 36);
+  if (!is_finite(det) || (det == 0 && !all_finite(J, 36))) return why_not_finite(J, 36);
   *determinant = det;
   return CHS_OK;
 }

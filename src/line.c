@@ -40,9 +40,10 @@ int FN(chs_line_project)(const real L[6], const real x[3], real foot[3], real *d
   if (status != CHS_OK) return status;
   line l = line_of(L);
   real p[3], off[3];
-  foot_on(&l, x, p);
   cross(x, l.d, off);
   subtract(off, l.m, off);
+  cross(l.d, off, p);
+  subtract(x, p, p);
   real d = norm(off, 3);
   if (!all_finite(p, 3) || !is_finite(d)) return CHS_ERR_OVERFLOW;
   copy(p, 3, foot);
@@ -56,7 +57,7 @@ static int signed_angle_about(const real A[6], const real B[6], const real about
   real n[3], sine = normal_of(A, B, n), direction[3];
   unit(about, direction);
   real size = FN(chs_p_angle_of)(sine, dot(A, B));
-  *angle = dot(direction, n) < 0 ? -size : size;
+  *angle = dot(direction, n) < -ROUNDING * sine ? -size : size;
   return CHS_OK;
 }
 

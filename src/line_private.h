@@ -89,8 +89,9 @@ LARGE real normal_of(const real a[3], const real b[3], real n[3]) {
 
 LARGE void across(const real d[3], real x[3]) {
   int k = 0;
+  real dd = dot(d, d); /* d is of unit length only to within CHS_SO3_FAR */
   for (int i = 1; i < 3; i++) k = ABS(d[i]) < ABS(d[k]) ? i : k;
-  for (int i = 0; i < 3; i++) x[i] = (i == k ? K(1.0) : K(0.0)) - d[k] * d[i];
+  for (int i = 0; i < 3; i++) x[i] = (i == k ? dd : K(0.0)) - d[k] * d[i];
   unit(x, x);
 }
 

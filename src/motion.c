@@ -123,7 +123,7 @@ static APART real condition_of(const triangles *t) {
 /* False where the result is beyond the format; then no pose was written. */
 static APART int screw_fits(const place *p, const quaternion *q, real n, real sign, screw *out) {
   write_screw(p, q, n, sign, out);
-  return all_finite(out->point, 3);
+  return is_finite_screw(out);
 }
 
 static APART int pose_fits(const place *p, const quaternion *q, real nn, real T[16]) {

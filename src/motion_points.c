@@ -431,7 +431,7 @@ static int displace(const cloud *c, best_rotation *best, screw *out, real T[16])
     screw s;
     screw_through(c->center, c->travel, q->v, K(1.0) / n, q->w / n, &s);
     s.angle = K(2.0) * FN(chs_p_angle_of)(n, q->w > 0 ? q->w : K(0.0));
-    if (!all_finite(s.point, 3)) return CHS_ERR_OVERFLOW;
+    if (!is_finite_screw(&s)) return CHS_ERR_OVERFLOW;
     if (out) *out = s;
   }
   if (T) join(R, p, T);

@@ -10,6 +10,7 @@
 #define angle_of_half(...) FN(chs_p_angle_of_half)(__VA_ARGS__)
 #define screw_about(...) FN(chs_p_screw_about)(__VA_ARGS__)
 #define screw_of_rotation(...) FN(chs_p_screw_of_rotation)(__VA_ARGS__)
+#define is_finite_screw(...) FN(chs_p_is_finite_screw)(__VA_ARGS__)
 
 #ifdef CHS_SINGLE
 typedef chs_screwf screw;
@@ -36,6 +37,9 @@ SHARED void screw_through(const real from[3], const real travel[3], const real v
   s->axis[2] = z;
 }
 
+/* Is what screw_through made of finite numbers within the format? */
+SHARED int is_finite_screw(const screw *s) { return all_finite(s->point, 3) && is_finite(s->translation); }
+
 /* The angle of a rotation of which n and w, times any number, are the sine and the cosine of the half. */
 SHARED real angle_of_half(real n, real w) {
   arc half = arc_of(n, w > 0 ? w : K(0.0)); /* a settled half-turn may be a hair beyond pi */
@@ -48,12 +52,12 @@ SHARED void screw_about(const real e[3], real n, real w, const real from[3], con
   s->angle = angle_of_half(n, w);
 }
 
-/* That of the rotation q, of vector length n > 0. False where the axis lies beyond the range of the format. */
+/* That of the rotation q, of vector length n > 0. False where the axis or the way along it is beyond the format. */
 SHARED int screw_of_rotation(const quaternion *q, real n, const real from[3], const real travel[3], screw *s) {
   real e[3];
   unit(q->v, e);
   screw_about(e, n, q->w, from, travel, s);
-  return all_finite(s->point, 3);
+  return is_finite_screw(s);
 }
 
 #if LARGE_BODIES

@@ -184,6 +184,17 @@ static void test_screw_from_pose_is_the_single_one_for_every_element(void) {
   }
 }
 
+static void test_screw_from_pose_says_overflow_where_the_way_along_the_axis_does(void) {
+  static screw one[N], other[N];
+  const real third[9] = {0, -1, 0, 0, 0, -1, 1, 0, 0}, p[3] = {-REAL_MAX, REAL_MAX, 0};
+  for (int i = 0; i < N; i++) FN(chs_se3_from_parts)(third, p, in + 16 * i);
+  for (int i = 0; i < N; i++) wanted[i] = FN(chs_screw_from_pose)(in + 16 * i, one + i);
+  memcpy(other, one, sizeof other); /* untouched, both of them */
+  int worst = FN(chs_screw_from_pose_array)(N, in, 16, other, statuses);
+  ASSERT_STATUS(CHS_ERR_OVERFLOW, worst);
+  assert_same_screws(one, other, worst);
+}
+
 typedef int method(const real initial[9], const real final[9], real tolerance, screw *s, real T[16]);
 typedef int array_method(size_t n, const real *initial, size_t initial_stride, const real *final, size_t final_stride,
                          real tolerance, screw *screws, real *T, size_t T_stride, int *all);
@@ -241,6 +252,7 @@ int main(void) {
   RUN_TEST(test_compose_and_apply_are_the_single_ones_also_in_place_and_with_one_pose_for_all);
   RUN_TEST(test_tilt_error_is_the_single_one_also_with_one_nominal_for_all);
   RUN_TEST(test_screw_from_pose_is_the_single_one_for_every_element);
+  RUN_TEST(test_screw_from_pose_says_overflow_where_the_way_along_the_axis_does);
   RUN_TEST(test_methods_for_three_points_are_the_single_ones_also_with_one_triangle_for_all);
   RUN_TEST(test_no_elements_are_ok);
   return SUITE_END();

@@ -105,6 +105,17 @@ static void test_manipulability_and_condition_are_made_of_the_singular_values(vo
   }
 }
 
+static void test_manipulability_of_singular_values_whose_products_are_beyond_the_range(void) {
+  const int large = PICK(400, 50), small = PICK(-100, -12);
+  for (int swap = 0; swap < 2; swap++) {
+    real J[36] = {0}, w;
+    int first = swap ? -large : large, second = swap ? -small : small;
+    for (int i = 0; i < 6; i++) J[7 * i] = (real)ldexp(1, i < 3 ? first : second);
+    ASSERT_STATUS(CHS_OK, FN(chs_chain_manipulability)(6, J, 1, scratch, &w));
+    TEST_ASSERT_TRUE((double)w == ldexp(1, 3 * (first + second)));
+  }
+}
+
 static void test_no_condition_number_of_a_singular_matrix(void) {
   const double sigma[6] = {3, 2, 1, 1, 1, 0};
   real J[36], zero[36] = {0}, condition;
@@ -409,6 +420,21 @@ static void test_bad_arguments_are_refused(void) {
   ASSERT_REFUSES(CHS_ERR_NAN, rates, FN(chs_chain_rates_damped)(6, J, V, 1, (real)NAN, -1, scratch, rates));
 }
 
+/* Where elimination ends before it has seen them. */
+static void test_bad_numbers_beside_a_column_of_zeros_are_refused(void) {
+  for (int zeros = 0; zeros < 6; zeros++)
+    for (int k = 0; k < 36; k++) {
+      real J[36], det;
+      if (k % 6 == zeros) continue;
+      random_numbers(36, J);
+      for (int i = 0; i < 6; i++) J[6 * i + zeros] = 0;
+      J[k] = (real)INFINITY;
+      ASSERT_REFUSES(CHS_ERR_INFINITE, det, FN(chs_chain_determinant)(J, &det));
+      J[k] = (real)NAN;
+      ASSERT_REFUSES(CHS_ERR_NAN, det, FN(chs_chain_determinant)(J, &det));
+    }
+}
+
 static void test_bad_numbers_are_refused(void) {
   for (int k = 0; k < 36; k++) {
     real J[36], V[6], rates[6], det;
@@ -437,6 +463,7 @@ int main(void) {
   RUN_TEST(test_the_length_divides_the_last_three_rows);
   RUN_TEST(test_rank_counts_the_directions);
   RUN_TEST(test_manipulability_and_condition_are_made_of_the_singular_values);
+  RUN_TEST(test_manipulability_of_singular_values_whose_products_are_beyond_the_range);
   RUN_TEST(test_no_condition_number_of_a_singular_matrix);
   RUN_TEST(test_determinant_of_known_matrices);
   RUN_TEST(test_determinant_is_the_product_of_the_singular_values);
@@ -456,6 +483,7 @@ int main(void) {
   RUN_TEST(test_no_inverse_of_a_singular_jacobian);
   RUN_TEST(test_the_inverse_is_the_same_in_every_unit_of_length);
   RUN_TEST(test_bad_arguments_are_refused);
+  RUN_TEST(test_bad_numbers_beside_a_column_of_zeros_are_refused);
   RUN_TEST(test_bad_numbers_are_refused);
   return SUITE_END();
 }

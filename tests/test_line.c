@@ -199,6 +199,27 @@ static void test_the_angle_of_lines_is_that_of_their_directions(void) {
   }
 }
 
+static void test_a_vector_in_the_plane_of_two_lines_counts_as_positive_however_it_is_rounded(void) {
+  for (int k = 0; k < 10 * CASES; k++) {
+    real A[6], B[6], between[3], angle;
+    random_line(1, A);
+    random_line(1, B);
+    if (k % 2) {
+      real a[3], step[3];
+      random_vector(log_uniform(4 * EPS, 1), step);
+      for (int i = 0; i < 3; i++) a[i] = A[i] + step[i];
+      ASSERT_STATUS(CHS_OK, FN(chs_line_from_direction)(A + 3, a, B));
+    }
+    ASSERT_STATUS(CHS_OK, FN(chs_line_signed_angle)(A, B, A, &angle));
+    TEST_ASSERT_TRUE(angle >= 0);
+    ASSERT_STATUS(CHS_OK, FN(chs_line_signed_angle)(A, B, B, &angle));
+    TEST_ASSERT_TRUE(angle >= 0);
+    for (int i = 0; i < 3; i++) between[i] = A[i] + B[i];
+    ASSERT_STATUS(CHS_OK, FN(chs_line_signed_angle)(B, A, between, &angle));
+    if (length_of(between, 3) > 0.5) TEST_ASSERT_TRUE(angle >= 0);
+  }
+}
+
 /* Two rounded directions that differ in their last bits: the angle has all its digits. */
 static void test_the_smallest_angle_of_rounded_directions_is_exact(void) {
   for (int k = 0; k < CASES; k++) {
@@ -408,6 +429,19 @@ static void test_a_direction_that_is_a_little_long_counts_as_the_unit_one(void) 
   }
 }
 
+static void test_coincident_lines_that_are_a_little_long_have_their_perpendicular_at_a_right_angle(void) {
+  for (int k = 0; k < CASES; k++) {
+    real A[6], longer[6];
+    perpendicular p, q;
+    random_line(1, A);
+    scaled(uniform(0.996, 1.004), A, 6, longer);
+    ASSERT_STATUS(CHS_COINCIDENT, perpendicular_of(A, A, &p));
+    ASSERT_STATUS(CHS_COINCIDENT, perpendicular_of(longer, longer, &q));
+    ASSERT_WITHIN_EPS(0, dot_of(A, q.X, 3), 2 * CHS_EPS_LINE_PERPENDICULAR_DIRECTION, 1);
+    ASSERT_NORM_WITHIN_EPS(p.X, q.X, 3, 2 * CHS_EPS_LINE_PERPENDICULAR_DIRECTION + 2, 1);
+  }
+}
+
 static void test_outputs_of_the_perpendicular_may_be_left_out(void) {
   real A[6], B[6], X[6];
   perpendicular p;
@@ -499,6 +533,7 @@ int main(void) {
   RUN_TEST(test_a_line_is_the_twist_of_a_turn_about_it);
   RUN_TEST(test_the_foot_is_the_nearest_point_of_the_line);
   RUN_TEST(test_the_angle_of_lines_is_that_of_their_directions);
+  RUN_TEST(test_a_vector_in_the_plane_of_two_lines_counts_as_positive_however_it_is_rounded);
   RUN_TEST(test_the_smallest_angle_of_rounded_directions_is_exact);
   RUN_TEST(test_known_perpendiculars);
   RUN_TEST(test_the_perpendicular_is_one);
@@ -507,6 +542,7 @@ int main(void) {
   RUN_TEST(test_parallel_meeting_and_coincident_lines_are_told_to_eight_eps);
   RUN_TEST(test_lines_with_a_direction_that_is_not_of_unit_length_are_refused);
   RUN_TEST(test_a_direction_that_is_a_little_long_counts_as_the_unit_one);
+  RUN_TEST(test_coincident_lines_that_are_a_little_long_have_their_perpendicular_at_a_right_angle);
   RUN_TEST(test_outputs_of_the_perpendicular_may_be_left_out);
   RUN_TEST(test_the_moment_is_that_of_equation_9_over_the_squared_sine);
   RUN_TEST(test_the_largest_moments_are_told_like_small_ones);

@@ -857,6 +857,12 @@ static void test_points_too_far_apart_are_an_overflow(void) {
   for (int i = 6; i < 9; i++) back[i] = -there[i];
   assert_all_refuse(CHS_ERR_OVERFLOW, initial, initial, tolerance);
   assert_all_refuse(CHS_ERR_OVERFLOW, there, back, tolerance);
+
+  /* A third of a turn about (1, 1, 1), and a way along it that is longer than any of its coordinates. */
+  const real near = K(0.45) * REAL_MAX, off = K(0.05) * REAL_MAX;
+  const real low[9] = {-near, -near, -near, off - near, -near, -near, -near, off - near, -near};
+  const real high[9] = {near, near, near, near, off + near, near, near, near, off + near};
+  assert_all_refuse(CHS_ERR_OVERFLOW, low, high, tolerance);
 }
 
 static void test_triangles_that_lose_half_of_the_digits_are_called_ill_conditioned(void) {

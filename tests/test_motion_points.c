@@ -466,6 +466,13 @@ static void test_clouds_without_a_rotation_are_refused(void) {
   assert_fit_refuses(CHS_ERR_COLLINEAR, 4, line, line, NULL);
   assert_fit_refuses(CHS_ERR_SINGULAR, 6, corners, mirror, NULL);
   assert_fit_refuses(CHS_ERR_OVERFLOW, 4, wide, good, NULL);
+
+  /* A third of a turn about (1, 1, 1), and a way along it that is longer than any of its coordinates. */
+  const real most = K(0.45) * REAL_MAX, off = K(0.05) * REAL_MAX;
+  const real low[12] = {-most, -most,      -most, off - most, -most, -most,
+                        -most, off - most, -most, -most,      -most, off - most};
+  const real high[12] = {most, most, most, most, off + most, most, most, most, off + most, off + most, most, most};
+  assert_fit_refuses(CHS_ERR_OVERFLOW, 4, low, high, NULL);
 }
 
 static void test_thin_clouds_are_called_ill_conditioned(void) {

@@ -318,6 +318,11 @@ static void test_lengths_beyond_the_range_are_an_overflow(void) {
   FN(chs_so3_exp)(w, R);
   pose_of(R, REAL_MAX / 2, 0, 0, T);
   ASSERT_REFUSES(CHS_ERR_OVERFLOW, s, FN(chs_screw_from_pose)(T, &s));
+
+  /* A point within the range, and a way along the axis that is not. */
+  const real third[9] = {0, -1, 0, 0, 0, -1, 1, 0, 0};
+  pose_of(third, -REAL_MAX, REAL_MAX, 0, T);
+  ASSERT_REFUSES(CHS_ERR_OVERFLOW, s, FN(chs_screw_from_pose)(T, &s));
 }
 
 static void test_pitch_is_translation_over_angle(void) {
@@ -494,6 +499,25 @@ static void test_normalize_of_what_hardly_turns_or_does_not_move(void) {
   TEST_ASSERT_TRUE(rate == 5 * (real)SMALLEST);
 }
 
+/* What may not be squared, beside a v that is as large or as small as can be: nothing is lost on the way. */
+static void test_axes_of_rates_of_any_size_have_all_their_digits(void) {
+  const double least = PICK(-1000, -120), most = PICK(1000, 120);
+  for (int k = 0; k < 10 * CASES; k++) {
+    double rotation = floor(uniform(least, most)), translation = floor(uniform(least, most));
+    double ratio = translation - rotation;
+    if (ratio < least || ratio > most) continue;
+    const real V[6] = {K(0.6) * (real)ldexp(1, (int)rotation),    0, K(0.8) * (real)ldexp(1, (int)rotation), 0,
+                       K(1.5) * (real)ldexp(1, (int)translation), 0};
+    const real unit[6] = {K(0.6), 0, K(0.8), 0, K(1.5) * (real)ldexp(1, (int)ratio), 0};
+    real S[6], rate;
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_normalize)(V, S, &rate));
+    ASSERT_NORM_WITHIN_EPS(unit, S, 3, CHS_EPS_SCREW_NORMALIZE_ROTATION, 1);
+    ASSERT_WITHIN_EPS((double)unit[4], S[4], CHS_EPS_SCREW_NORMALIZE_TRANSLATION, (double)unit[4]);
+    ASSERT_STATUS(CHS_OK, FN(chs_screw_axis_line)(V, S));
+    ASSERT_WITHIN_EPS((double)unit[4], S[4], CHS_EPS_SCREW_AXIS_LINE_MOMENT, (double)unit[4]);
+  }
+}
+
 static void test_values_beyond_the_range_of_screw_axes_are_an_overflow(void) {
   const real V[6] = {REAL_MAX, REAL_MAX, 0, 1, 2, 3}, far[6] = {0, 0, K(0.1), REAL_MAX, 0, 0},
              steep[6] = {0, 0, K(0.1), 0, 0, REAL_MAX}, corner[3] = {REAL_MAX, -REAL_MAX, 0}, s[3] = {1, 1, 0};
@@ -663,6 +687,7 @@ int main(void) {
   RUN_TEST(test_a_screw_without_rotation_has_infinite_pitch_and_no_line);
   RUN_TEST(test_normalize_parts_a_twist_into_axis_and_rate);
   RUN_TEST(test_normalize_of_what_hardly_turns_or_does_not_move);
+  RUN_TEST(test_axes_of_rates_of_any_size_have_all_their_digits);
   RUN_TEST(test_values_beyond_the_range_of_screw_axes_are_an_overflow);
   RUN_TEST(test_the_adjoint_changes_the_frame_of_a_screw);
   RUN_TEST(test_the_reciprocal_product_of_lines_is_their_moment);
