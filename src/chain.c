@@ -15,7 +15,7 @@ static void exact_products(const real S[6], real wxv[3], real *pitch) {
   multiply_by(K(1.0) / scale, wxv);
 }
 
-/* omega . omega - 1, to full precision where that is small. */
+/* omega . omega - 1 where that is small, but for the rounding of the squares. */
 static real excess_of(const real w[3]) {
   split_square square = squared_length(w);
   return (square.head - K(1.0)) + square.rest;

@@ -79,7 +79,8 @@ int chs_chain_links(const chs_chain *chain, const double *q, double *D);
 int chs_chain_linksf(const chs_chainf *chain, const float *q, float *D);
 
 /* The Jacobian V = J qdot: the twist of the tool in the fixed frame (space) or in its own (body), for the rates of the
- * joints. Column i is Ad(T_i) S_i, with T_i what the joints before i do, and Ad(T)^-1 of that.
+ * joints. Column i is Ad(T_i) S_i, with T_i what the joints before i do, and Ad(T)^-1 of that; S_i as it stands, so that
+ * a column is as long or short as rounding made its axis.
  *
  *   J  [6*n], row-major, of 6 rows.
  *   T  the pose as from chs_chain_fk; may be NULL.
@@ -132,7 +133,7 @@ int chs_chain_rankf(int joints, const float *J, float length, float *scratch, in
 /* Yoshikawa's manipulability, sqrt(det(J J^T)), the product of the six singular values; where n < 6, sqrt(det(J^T J)),
  * that of the n. The error is relative to that product with its smallest factor replaced by the largest, and none of
  * the others counted for less than 16 eps sigma[0]. Arguments and answers as above. */
-#define CHS_EPS_CHAIN_MANIPULABILITY 24.0
+#define CHS_EPS_CHAIN_MANIPULABILITY 48.0
 int chs_chain_manipulability(int joints, const double *J, double length, double *scratch, double *manipulability);
 int chs_chain_manipulabilityf(int joints, const float *J, float length, float *scratch, float *manipulability);
 
@@ -144,15 +145,17 @@ int chs_chain_condition(int joints, const double *J, double length, double *scra
 int chs_chain_conditionf(int joints, const float *J, float length, float *scratch, float *condition);
 
 /* det J of six joints, by elimination. The error is relative to the product of the lengths of the columns, which bounds
- * the determinant.
- * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, and CHS_ERR_OVERFLOW where that product is beyond the format. */
-#define CHS_EPS_CHAIN_DETERMINANT 6.0
+ * the determinant, as long as the product of any of them is within the format's normal range: the pivots are multiplied
+ * as they come.
+ * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, and CHS_ERR_OVERFLOW where a product of pivots, or the reciprocal of
+ * one, is beyond the format. */
+#define CHS_EPS_CHAIN_DETERMINANT 8.0
 int chs_chain_determinant(const double J[36], double *determinant);
 int chs_chain_determinantf(const float J[36], float *determinant);
 
 /* The joint rates of a twist for six joints, J^-1 V, by elimination with row interchanges.
  *
- * The error is relative to |rates| times the condition number of J.
+ * The error is relative to |rates| times the condition number of J, where eps times that is well below 1.
  * Returns CHS_OK; CHS_ERR_SINGULAR where a column is a combination of those before it to within rounding, 64 eps of its
  * largest entry; CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_OVERFLOW. */
 #define CHS_EPS_CHAIN_RATES_INVERSE 8.0
@@ -167,7 +170,7 @@ int chs_chain_rates_inversef(const float J[36], const float V[6], float *rates);
  *
  * With s the smallest singular value that counts the error is relative to sigma[0] |V| / s^2, V with v / length for v.
  * Returns CHS_OK; CHS_NEAR_SINGULAR where the rank is less than min(n, 6); and as above. */
-#define CHS_EPS_CHAIN_RATES_PSEUDOINVERSE 8.0
+#define CHS_EPS_CHAIN_RATES_PSEUDOINVERSE 12.0
 int chs_chain_rates_pseudoinverse(int joints, const double *J, const double V[6], double length, double *scratch,
                                   double *rates);
 int chs_chain_rates_pseudoinversef(int joints, const float *J, const float V[6], float length, float *scratch,
@@ -185,7 +188,7 @@ int chs_chain_rates_pseudoinversef(int joints, const float *J, const float V[6],
  * lambda follows.
  * Returns CHS_OK; CHS_NEAR_SINGULAR where lambda follows and is not 0; CHS_ERR_ARGUMENT also for a damping that is not
  * above 0 or a `near` below 0; and as above. */
-#define CHS_EPS_CHAIN_RATES_DAMPED 8.0
+#define CHS_EPS_CHAIN_RATES_DAMPED 24.0
 int chs_chain_rates_damped(int joints, const double *J, const double V[6], double length, double damping, double near,
                            double *scratch, double *rates);
 int chs_chain_rates_dampedf(int joints, const float *J, const float V[6], float length, float damping, float near,

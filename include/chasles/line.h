@@ -6,8 +6,8 @@
  * that answer a status take lines whose direction is of unit length, | d.d - 1 | <= CHS_SO3_FAR, divide by that length,
  * and leave out what the moment has along the direction: what they answer is exact for the line so read. In their
  * comments d, m are what was read, s = |d1 x d2| is the sine of the angle of two lines, and M = |m1| + |m2|, their
- * distances from the origin. The numbers of equations are those of the lecture notes "Homogeneous coordinates, lines,
- * screws and twists".
+ * distances from the origin; but errors are relative to moments as they were given, what is left out included. The
+ * numbers of equations are those of the lecture notes "Homogeneous coordinates, lines, screws and twists".
  * chasles.h has the conventions that all headers share.
  */
 #ifndef CHASLES_LINE_H
@@ -69,7 +69,8 @@ int chs_line_projectf(const float L[6], const float x[3], float foot[3], float *
 /* The angle of two lines, atan2(|d1 x d2|, d1.d2) in [0, pi], in place of eq. 6 (an arccos has no digit left below 1e-8
  * rad). The signed one, in [-pi, pi], has the sign of about . (d1 x d2): it is measured from the first line to the
  * second about the vector given, by the right-hand rule. A vector of 0, or one at a right angle to both lines' normal,
- * counts as positive. The errors are relative to the angle, down to the smallest.
+ * counts as positive, to within rounding: an angle is negative where about . (d1 x d2) < -8 eps |about| s. The errors
+ * are relative to the angle, down to the smallest.
  * Returns CHS_OK, CHS_ERR_NAN, CHS_ERR_INFINITE, CHS_ERR_ARGUMENT. */
 #define CHS_EPS_LINE_ANGLE 4.0
 #define CHS_EPS_LINE_SIGNED_ANGLE 4.0
@@ -84,7 +85,7 @@ int chs_line_signed_anglef(const float A[6], const float B[6], const float about
  * Returns CHS_OK; CHS_INTERSECTING where it is no more than rounding, | d1.m2 + d2.m1 | <= 8 eps M; CHS_PARALLEL where
  * s <= 8 eps; CHS_COINCIDENT where also the distance is at most 8 eps M; CHS_ERR_NAN, CHS_ERR_INFINITE,
  * CHS_ERR_ARGUMENT; CHS_ERR_OVERFLOW, which an M beyond half of the format's range can be whatever the distance is. */
-#define CHS_EPS_LINE_DISTANCE 5.0
+#define CHS_EPS_LINE_DISTANCE 6.0
 int chs_line_distance(const double A[6], const double B[6], double *distance);
 int chs_line_distancef(const float A[6], const float B[6], float *distance);
 
@@ -105,9 +106,9 @@ int chs_line_distancef(const float A[6], const float B[6], float *distance);
  * distance as above. Returns as chs_line_distance. */
 #define CHS_EPS_LINE_PERPENDICULAR_DIRECTION 3.0
 #define CHS_EPS_LINE_PERPENDICULAR_MOMENT 10.0
-#define CHS_EPS_LINE_PERPENDICULAR_FOOT 10.0
+#define CHS_EPS_LINE_PERPENDICULAR_FOOT 12.0
 #define CHS_EPS_LINE_PERPENDICULAR_ANGLE 4.0
-#define CHS_EPS_LINE_PERPENDICULAR_DISTANCE 5.0
+#define CHS_EPS_LINE_PERPENDICULAR_DISTANCE 6.0
 int chs_line_perpendicular(const double A[6], const double B[6], double X[6], double foot_a[3], double foot_b[3],
                            double *angle, double *distance);
 int chs_line_perpendicularf(const float A[6], const float B[6], float X[6], float foot_a[3], float foot_b[3],

@@ -187,9 +187,9 @@ int chs_se3_interpolatef(const float A[16], const float B[16], float s, float T[
  * to itself, that of the weighted distance to sqrt((scale |R_B - R_A|)^2 + length^2).
  * Returns CHS_OK; CHS_ERR_OVERFLOW; CHS_ERR_ARGUMENT where the scale is negative; what CHS_SO3_FAR says, for the other
  * numbers as well. */
-#define CHS_EPS_SE3_DISTANCE_ANGLE 4.0
+#define CHS_EPS_SE3_DISTANCE_ANGLE 5.0
 #define CHS_EPS_SE3_DISTANCE_LENGTH 3.0
-#define CHS_EPS_SE3_WEIGHTED_DISTANCE 4.0
+#define CHS_EPS_SE3_WEIGHTED_DISTANCE 6.0
 int chs_se3_distance(const double A[16], const double B[16], double *angle, double *length);
 int chs_se3_distancef(const float A[16], const float B[16], float *angle, float *length);
 int chs_se3_weighted_distance(const double A[16], const double B[16], double scale, double *distance);

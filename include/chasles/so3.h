@@ -121,7 +121,7 @@ void chs_so3_applyf(const float R[9], const float x[3], float y[3]);
  * is formed from the differences b_k - a_k, which are exact for near orientations. (An arccos of the trace has no digit
  * left below 1e-8 rad in double.) Where drift sets the matrices apart by more than the angle does, it is the drift.
  * Returns CHS_OK and what CHS_SO3_FAR says, of either matrix. */
-#define CHS_EPS_SO3_ANGLE 4.0
+#define CHS_EPS_SO3_ANGLE 5.0
 int chs_so3_angle(const double A[9], const double B[9], double *angle);
 int chs_so3_anglef(const float A[9], const float B[9], float *angle);
 
