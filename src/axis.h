@@ -18,7 +18,7 @@ LARGE real axis_of(const real S[6], real e[3], real m[3], real *h);
 
 LARGE void per_radian(const real S[6], real e[3], real w[3], real *rate) {
   real scale = safe_to_square(largest(S, 3)), x[3], length;
-  int first = (scale > 1) == (largest(S + 3, 3) < 1); /* what brings v nearer to 1 comes first, lest it overflow */
+  int first = scale == 1 || (scale > 1) == (largest(S + 3, 3) < 1); /* what brings v nearer to 1, lest it overflow */
   for (int i = 0; i < 3; i++) x[i] = scale * S[i];
   length = SQRT(dot(x, x));
   for (int i = 0; i < 3; i++) {

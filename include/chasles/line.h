@@ -101,9 +101,9 @@ int chs_line_distancef(const float A[6], const float B[6], float *distance);
  * X is as near as may be to the coordinate axis of the smallest component of A's direction, the first of equals
  * (CHS_COINCIDENT).
  *
- * The errors: the direction of X absolute, for parallel lines at a distance a relative to M/a; its moment and the feet
- * relative to M/s, for parallel lines the moment to M max(1, M/a) and the feet to M; the angle relative to itself; the
- * distance as above. Returns as chs_line_distance. */
+ * The errors: the direction of X absolute, for parallel lines at a distance a relative to M/a; its moment, and the feet
+ * as one vector of six, relative to M/s, for parallel lines the moment to M max(1, M/a) and the feet to M; the angle
+ * relative to itself; the distance as above. Returns as chs_line_distance. */
 #define CHS_EPS_LINE_PERPENDICULAR_DIRECTION 3.0
 #define CHS_EPS_LINE_PERPENDICULAR_MOMENT 10.0
 #define CHS_EPS_LINE_PERPENDICULAR_FOOT 12.0
