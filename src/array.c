@@ -252,21 +252,8 @@ static INLINE real angle_by_selects(real yy, real x) {
   return angle_in_sector(base, rest, sign, less, more);
 }
 
-/* What quaternion_by_axis in rotation.h reads, bit for bit by selects, each by a comparison of its own because gcc makes
- * no vectors of a condition that several share. */
-static INLINE quaternion axis_by_selects(const real R[9]) {
-  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
-  real x0 = (K(1.0) + R[0]) - (R[4] + R[8]), y1 = (K(1.0) - R[0]) + (R[4] - R[8]), z2 = (K(1.0) - R[0]) - (R[4] - R[8]);
-  real v0 = R[4] > R[0] ? xy : x0, v1 = R[4] > R[0] ? y1 : xy, v2 = R[4] > R[0] ? yz : xz, w = R[4] > R[0] ? y : x;
-  real x_or_y = R[0] > R[4] ? R[0] : R[4];
-  quaternion q;
-  q.v[0] = R[8] > x_or_y ? xz : v0;
-  q.v[1] = R[8] > x_or_y ? yz : v1;
-  q.v[2] = R[8] > x_or_y ? z2 : v2;
-  q.w = R[8] > x_or_y ? z : w;
-  return q;
-}
-
+/* What quaternion_of in rotation.h reads, bit for bit by selects, each by a comparison of its own because gcc makes no
+ * vectors of a condition that several share. */
 static INLINE quaternion quaternion_by_selects(const real R[9]) {
   real trace = (R[0] + R[4]) + R[8], of_w = (K(1.0) + R[0]) + (R[4] + R[8]), x_or_y = R[0] > R[4] ? R[0] : R[4];
   real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], most = R[8] > x_or_y ? R[8] : x_or_y;

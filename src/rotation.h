@@ -14,6 +14,7 @@
 #define first_error(...) FN(chs_p_first_error)(__VA_ARGS__)
 #define negate(...) FN(chs_p_negate)(__VA_ARGS__)
 #define settle_half_turn(...) FN(chs_p_settle_half_turn)(__VA_ARGS__)
+#define axis_by_selects(...) FN(chs_p_axis_by_selects)(__VA_ARGS__)
 #define quaternion_by_axis(...) FN(chs_p_quaternion_by_axis)(__VA_ARGS__)
 #define quaternion_of(...) FN(chs_p_quaternion_of)(__VA_ARGS__)
 #define rotation_from(...) FN(chs_p_rotation_from)(__VA_ARGS__)
@@ -90,9 +91,26 @@ SHARED void negate(quaternion *q) {
 SELDOM void FN(chs_p_settle_half_turn)(quaternion *q, real zone, real length);
 
 /* A matrix near a rotation is read through a column of 4 (w; v)(w; v)^T (Shepperd 1978). This is the largest on the
- * diagonal of x's, y's and z's, with w of either sign. Its numbers are picked by index, for cases would be mispredicted as
- * often as not, and lie apart in memory, so that no compiler loads two at once before their stores are through. */
+ * diagonal of x's, y's and z's, with w of either sign; by selects, each with a comparison of its own, because gcc makes
+ * no vectors of a condition that several share. */
+SHARED_INLINE quaternion axis_by_selects(const real R[9]) {
+  real x = R[7] - R[5], y = R[2] - R[6], z = R[3] - R[1], xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
+  real xx = (K(1.0) + R[0]) - (R[4] + R[8]), yy = (K(1.0) - R[0]) + (R[4] - R[8]), zz = (K(1.0) - R[0]) - (R[4] - R[8]);
+  real v0 = R[4] > R[0] ? xy : xx, v1 = R[4] > R[0] ? yy : xy, v2 = R[4] > R[0] ? yz : xz, w = R[4] > R[0] ? y : x;
+  real x_or_y = R[0] > R[4] ? R[0] : R[4];
+  quaternion q;
+  q.v[0] = R[8] > x_or_y ? xz : v0;
+  q.v[1] = R[8] > x_or_y ? yz : v1;
+  q.v[2] = R[8] > x_or_y ? zz : v2;
+  q.w = R[8] > x_or_y ? z : w;
+  return q;
+}
+
+/* The same, where processors look ahead by indices, for compilers make cases of the selects, which would be mispredicted
+ * as often as not. The numbers to be picked lie apart in memory, so that no compiler loads two at once before both are
+ * stored. */
 SHARED_INLINE quaternion quaternion_by_axis(const real R[9]) {
+#if VECTORS
   const real xy = R[1] + R[3], xz = R[2] + R[6], yz = R[5] + R[7];
   const real v[3][3] = {{(K(1.0) + R[0]) - (R[4] + R[8]), xy, xz},
                         {xy, (K(1.0) - R[0]) + (R[4] - R[8]), yz},
@@ -102,6 +120,9 @@ SHARED_INLINE quaternion quaternion_by_axis(const real R[9]) {
   unsigned axis = R[8] > x_or_y ? 2 : R[4] > R[0];
   quaternion q = {{v[0][axis], v[1][axis], v[2][axis]}, w[axis]};
   return q;
+#else
+  return axis_by_selects(R);
+#endif
 }
 
 /* That of the largest of all four columns, which agrees with the nearest rotation to a fraction of the matrix's own

@@ -143,7 +143,7 @@ int chs_se3_space_twistf(const float T[16], const float dT[16], float V[6]);
  *
  *   body   log(A^-1 B)/dt,  space  log(B A^-1)/dt = Ad(A) log(A^-1 B)/dt
  *
- *   A, B  poses whose rotations are such to within CHS_SO3_FAR.
+ *   A, B  poses whose rotations are such to within CHS_SO3_FAR; the product is read as chs_so3_log reads a matrix.
  *   dt    any time but 0; a negative one turns the twist round.
  *
  * Rotations that are near each other are subtracted before they are multiplied, so that also where the body hardly
