@@ -91,7 +91,7 @@ int chs_chain_linksf(const chs_chainf *chain, const float *q, float *D);
 #define CHS_EPS_CHAIN_SPACE_JACOBIAN_ANGULAR 4.0
 #define CHS_EPS_CHAIN_SPACE_JACOBIAN_LINEAR 8.0
 #define CHS_EPS_CHAIN_BODY_JACOBIAN_ANGULAR 4.0
-#define CHS_EPS_CHAIN_BODY_JACOBIAN_LINEAR 8.0
+#define CHS_EPS_CHAIN_BODY_JACOBIAN_LINEAR 12.0
 int chs_chain_space_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);
 int chs_chain_space_jacobianf(const chs_chainf *chain, const float *q, float *J, float T[16]);
 int chs_chain_body_jacobian(const chs_chain *chain, const double *q, double *J, double T[16]);

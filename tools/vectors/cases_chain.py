@@ -257,7 +257,7 @@ def jacobian(fmt, rng, n, band, k):
     else:
         screws, home, body, _ = parts(chain(fmt, rng, "ordinary", 0, odd=False) + [mpf(0)] * JOINTS)
         q = [uniform(rng, -pi, pi) for _ in screws]
-        columns = chains.space_columns(fmt, screws, home, body, q)
+        columns = chains.space_columns(fmt, [chains.normalised(fmt, S) for S in screws], home, body, q)
         J = chains.matrix_of(columns + [direction(rng) + direction(rng) for _ in range(n - JOINTS)])
     lengths = unit_of_length(fmt, band) * magnitude(rng, "0.1", "10")
     return fmt.round_all([x if i < 3 * n else lengths * x for i, x in enumerate(J)])

@@ -17,7 +17,7 @@ def is_unit(fmt, S):
 
 
 def normalised(fmt, S):
-    """S as the library reads it."""
+    """S as the library moves by it."""
     return times(1 / norm(S[0:3]), S) if is_unit(fmt, S) else list(S)
 
 
@@ -50,8 +50,9 @@ def links(fmt, screws, home, body, q):
 
 
 def space_columns(fmt, screws, home, body, q):
+    """Of the axes as they stand, moved by poses of unit ones."""
     way = places(fmt, screws, home, body, q)
-    return [exact.apply6(exact.adjoint(*place), normalised(fmt, S)) for place, S in zip(way, screws)]
+    return [exact.apply6(exact.adjoint(*place), S) for place, S in zip(way, screws)]
 
 
 def body_columns(fmt, screws, home, body, q):
