@@ -219,7 +219,7 @@ static INLINE void fill_up(const real *from, size_t stride, int size, int count,
       elements[lane * size + k] = lane < count ? from[(size_t)lane * stride + (size_t)k] : K(0.0);
 }
 
-static INLINE void exp_block(const real *x, size_t stride, int inputs, int count, exponential *ordinarily, block *b) {
+static APART void exp_block(const real *x, size_t stride, int inputs, int count, exponential *ordinarily, block *b) {
   real copies[6][LANES];
   if (!FROM_ELEMENTS)
     gather(x, stride, inputs, count, copies);
