@@ -188,8 +188,9 @@ def inlined(results):
             for flavour in FLAVOURS:
                 own, copy = (results.time(flavour, function, precision, name) for name in (OWN, OWN_INLINED))
                 if copy is not None:
-                    ratio, name = results.fastest(flavour, function, precision)
-                    row += [shown_time(own), shown_time(copy), shown_ratio((ratio / copy["ratio"], name))]
+                    peer = results.fastest(flavour, function, precision)
+                    by_copy = peer and (peer[0] / copy["ratio"], peer[1])
+                    row += [shown_time(own), shown_time(copy), shown_ratio(by_copy)]
             if row[1:]:
                 rows.append(row)
     return table(["function", "O2, called", "inlined", "fastest peer", "O3, called", "inlined", "fastest peer"], rows)
