@@ -121,17 +121,15 @@ static INLINE void store(block *b, size_t i, int count, const arrays *of, single
   }
 }
 
-typedef void kernel(block *b);
+/* Reads so many elements and answers them, with a margin each. */
+typedef void kernel(const real *x, size_t stride, int count, block *b);
 
-static INLINE int for_all(size_t n, const arrays *of, int inputs, int *statuses, kernel *ordinarily, single *any) {
+static INLINE int for_all(size_t n, const arrays *of, int *statuses, kernel *ordinarily, single *any) {
   answers all = {statuses, CHS_OK};
   for (size_t i = 0; i < n; i += LANES) {
     block b;
     int count = lanes_left(n, i);
-    if (VECTORS) {
-      gather(of->x + i * of->x_stride, of->x_stride, inputs, count, b.x);
-      ordinarily(&b);
-    }
+    if (VECTORS) ordinarily(of->x + i * of->x_stride, of->x_stride, count, &b);
     store(&b, i, count, of, any, &all);
   }
   return all.worst;
@@ -231,16 +229,9 @@ static APART void exp_block(const real *x, size_t stride, int inputs, int count,
     ordinarily(copies[0], (size_t)inputs, b->x, b->margin);
 }
 
-static INLINE int exp_all(size_t n, const arrays *of, int inputs, int *statuses, exponential *ordinarily, single *any) {
-  answers all = {statuses, CHS_OK};
-  for (size_t i = 0; i < n; i += LANES) {
-    block b;
-    int count = lanes_left(n, i);
-    if (VECTORS) exp_block(of->x + i * of->x_stride, of->x_stride, inputs, count, ordinarily, &b);
-    store(&b, i, count, of, any, &all);
-  }
-  return all.worst;
-}
+static void so3_exps(const real *x, size_t stride, int count, block *b) { exp_block(x, stride, 3, count, so3_exp, b); }
+
+static void se3_exps(const real *x, size_t stride, int count, block *b) { exp_block(x, stride, 6, count, se3_exp, b); }
 
 /* What angle_from_square in angle.h answers, bit for bit, by selects. */
 static INLINE real angle_by_selects(real yy, real x) {
@@ -288,7 +279,8 @@ static INLINE real log_of(const real R[9], real w[3]) {
   return is_rotation(R) ? margin : K(0.0);
 }
 
-static void so3_log(block *b) {
+static void so3_logs(const real *x, size_t stride, int count, block *b) {
+  gather(x, stride, 9, count, b->x);
   for (int lane = 0; lane < LANES; lane++) {
     real R[9], w[3];
     get_rows(b->x, lane, 3, R);
@@ -297,7 +289,8 @@ static void so3_log(block *b) {
   }
 }
 
-static void se3_log(block *b) {
+static void se3_logs(const real *x, size_t stride, int count, block *b) {
+  gather(x, stride, 12, count, b->x);
   for (int lane = 0; lane < LANES; lane++) {
     real R[9], p[3] = {b->x[3][lane], b->x[7][lane], b->x[11][lane]}, w[3], v[3];
     get_rows(b->x, lane, 4, R);
@@ -311,22 +304,22 @@ static void se3_log(block *b) {
 
 int FN(chs_so3_exp_array)(size_t n, const real *w, size_t w_stride, real *R, size_t R_stride, int *statuses) {
   const arrays of = {w, w_stride, R, R_stride, 9};
-  return exp_all(n, &of, 3, statuses, so3_exp, FN(chs_so3_exp));
+  return for_all(n, &of, statuses, so3_exps, FN(chs_so3_exp));
 }
 
 int FN(chs_se3_exp_array)(size_t n, const real *V, size_t V_stride, real *T, size_t T_stride, int *statuses) {
   const arrays of = {V, V_stride, T, T_stride, 16};
-  return exp_all(n, &of, 6, statuses, se3_exp, FN(chs_se3_exp));
+  return for_all(n, &of, statuses, se3_exps, FN(chs_se3_exp));
 }
 
 int FN(chs_so3_log_array)(size_t n, const real *R, size_t R_stride, real *w, size_t w_stride, int *statuses) {
   const arrays of = {R, R_stride, w, w_stride, 3};
-  return for_all(n, &of, 9, statuses, so3_log, FN(chs_so3_log));
+  return for_all(n, &of, statuses, so3_logs, FN(chs_so3_log));
 }
 
 int FN(chs_se3_log_array)(size_t n, const real *T, size_t T_stride, real *V, size_t V_stride, int *statuses) {
   const arrays of = {T, T_stride, V, V_stride, 6};
-  return for_all(n, &of, 12, statuses, se3_log, FN(chs_se3_log));
+  return for_all(n, &of, statuses, se3_logs, FN(chs_se3_log));
 }
 
 void FN(chs_se3_compose_array)(size_t n, const real *A, size_t A_stride, const real *B, size_t B_stride, real *C,
