@@ -155,17 +155,21 @@ def axis_rotation(axis, theta):
     return polynomial_of_hat(axis, sin(theta), 2 * sin(theta / 2) ** 2)
 
 
+def trace(M):
+    with workprec(ALGEBRA_BITS):
+        return M[0] + M[4] + M[8]
+
+
 def quaternion_matrix(M):
     """The symmetric 4x4 K with q^T K q = trace(R(q)^T M) for every unit quaternion q."""
     with workprec(ALGEBRA_BITS):
-        trace = M[0] + M[4] + M[8]
-        s = skew_vector(M)
+        s, t = skew_vector(M), trace(M)
         K = [[mpf(0)] * 4 for _ in range(4)]
-        K[0][0] = trace
+        K[0][0] = t
         for i in range(3):
             K[0][i + 1] = K[i + 1][0] = s[i]
             for j in range(3):
-                K[i + 1][j + 1] = M[3 * i + j] + M[3 * j + i] - (trace if i == j else 0)
+                K[i + 1][j + 1] = M[3 * i + j] + M[3 * j + i] - (t if i == j else 0)
         return K
 
 
@@ -254,11 +258,6 @@ def shepperd_quaternion(M, columns):
 def axis_angle(M):
     """(axis, angle, pi - angle) of the rotation that M is read as."""
     return quaternion_axis_angle(column_quaternion(M))
-
-
-def trace(M):
-    with workprec(ALGEBRA_BITS):
-        return M[0] + M[4] + M[8]
 
 
 def log_axis_angle(M):
